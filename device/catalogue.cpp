@@ -28,41 +28,42 @@ std::vector<Found> searchSimulated() {
 }
 
 // One kind of arm per line.
-constexpr std::array kRows{
-    Row{"simulated", kSimulated, openSimulated, searchSimulated},
-    Row{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openRow,
-        openhaptics::searchRow},
-    Row{"wooden", TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, searchWooden},
-    Row{"haply", TRANSLATE_NOOP("problem", "Inverse3 (Haply's service)"), haply::openRow, haply::searchRow},
-    Row{"remote", TRANSLATE_NOOP("problem", "Arm over the network"), remote::openRow, remote::searchRow},
+constexpr std::array kDrivers{
+    Driver{"simulated", kSimulated, openSimulated, searchSimulated},
+    Driver{"openhaptics", TRANSLATE_NOOP("problem", "Touch, Omni (vendor's driver)"), openhaptics::openArm,
+           openhaptics::searchArms},
+    Driver{"wooden", TRANSLATE_NOOP("problem", "WoodenHaptics (HID)"), openWooden, searchWooden},
+    Driver{"haply", TRANSLATE_NOOP("problem", "Inverse3 (Haply's service)"), haply::openArm, haply::searchArms},
+    Driver{"remote", TRANSLATE_NOOP("problem", "Arm over the network"), remote::openArm, remote::searchArms},
 };
 
 }  // namespace
 
-std::span<const Row> catalogue() {
-  return kRows;
+std::span<const Driver> catalogue() {
+  return kDrivers;
 }
 
-std::string nameOf(const Row& row, const Found& found) {
-  return found.address.empty() ? row.key : std::string(row.key) + ":" + found.address;
+std::string nameOf(const Driver& driver, const Found& found) {
+  return found.address.empty() ? driver.key : std::string(driver.key) + ":" + found.address;
 }
 
-const Row* findDevice(std::string_view key) {
-  const auto* const found = std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return key == row.key; });
-  return found == kRows.end() ? nullptr : &*found;
+const Driver* findDevice(std::string_view key) {
+  const auto* const found =
+      std::find_if(kDrivers.begin(), kDrivers.end(), [&](const Driver& driver) { return key == driver.key; });
+  return found == kDrivers.end() ? nullptr : &*found;
 }
 
 Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Request request) {
   const std::size_t colon = std::min(name.find(':'), name.size());
-  const Row* const row = findDevice(name.substr(0, colon));
-  if (row == nullptr) {
+  const Driver* const driver = findDevice(name.substr(0, colon));
+  if (driver == nullptr) {
     std::string known;
-    for (const Row& one : kRows) known += (known.empty() ? "" : ", ") + std::string(one.key);
+    for (const Driver& one : kDrivers) known += (known.empty() ? "" : ", ") + std::string(one.key);
     return Problems{{phrase(TRANSLATE_NOOP("problem", "There is no arm of the kind \"%1\". Known kinds: %2."),
                             {std::string(name.substr(0, colon)), known}),
                      {}}};
   }
-  if (!arm::isDevice(request.arm) && row != kRows.data()) {
+  if (!arm::isDevice(request.arm) && driver != kDrivers.data()) {
     return Problems{{phrase(TRANSLATE_NOOP("problem",
                                            "The scene is for the arm \"%1\", which exists as a simulated arm only. "
                                            "Choose the simulated arm, or open another scene first."),
@@ -70,7 +71,7 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
                      {}}};
   }
   if (colon < name.size()) request.address = name.substr(colon + 1);
-  return row->open(request);
+  return driver->open(request);
 }
 
 }  // namespace underact::device

@@ -14,14 +14,17 @@ namespace {
 
 // A mouse reports its position some 60 to 125 times a second: 15 ms bridge the time between two reports.
 constexpr double kMouseFilter_s = 0.015;
+// A mouse tells several places in one go where the window is slow: they are one.
+constexpr std::int64_t kOneGo_ns = 5'000'000;
+constexpr double kGlideShare = 1.1;  // of the time between two places
 
 /// One period of the way to a setpoint that jumps: a first-order filter (backward Euler), with the matching velocity.
 /// A hand that does not hold is where the tip is, so that it takes hold there without a jerk.
 sim::HandSetpoint approach(const sim::HandSetpoint& heeded, const sim::HandSetpoint& goal, const Vec3& p_WT,
                            double dt_s) noexcept UNDERACT_REAL_TIME {
   if (!goal.holds) return {p_WT, Vec3::Zero(), goal.R_WT, goal.turns, false, {}};
-  const Vec3 way_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
-  return {heeded.p_WT + way_W, way_W / dt_s, goal.R_WT, goal.turns, true, goal.posture};
+  const Vec3 travel_W = (goal.p_WT - heeded.p_WT) * (dt_s / (kMouseFilter_s + dt_s));
+  return {heeded.p_WT + travel_W, travel_W / dt_s, goal.R_WT, goal.turns, true, goal.posture};
 }
 
 /// In one number, so that two threads always see both parts together.
@@ -56,9 +59,11 @@ SimulatedArm::SimulatedArm(const Options& options)
 bool SimulatedArm::read(arm::Sample& sample) noexcept {
   time_ns_ += period_ns_;
   if (has_setpoint_.load(std::memory_order_acquire)) {
-    heeded_ = approach(heeded_, wishes_.latest(), state_.p_WT, kSecondPerNanosecond * static_cast<double>(period_ns_));
-  } else if (scripted_) {
-    heeded_ = sim::setpointAt(script_, time_ns_ - script_start_ns_);
+    heeded_ = approach(heeded_, glided(wishes_.latest()), state_.p_WT,
+                       kSecondPerNanosecond * static_cast<double>(period_ns_));
+  } else {
+    if (scripted_) heeded_ = sim::setpointAt(script_, time_ns_ - script_start_ns_);
+    glide_.p_WT = heeded_.p_WT;  // from here a hand will glide
   }
   Vec3 f_T_W = f_T_W_, m_T_W = m_T_W_;
   if (is_cut_.load(std::memory_order_relaxed)) f_T_W.setZero(), m_T_W.setZero();
@@ -69,6 +74,29 @@ bool SimulatedArm::read(arm::Sample& sample) noexcept {
   sample.q_rad = sim::shownAngles(plant_, state_);
   sample.buttons = (button_.load(std::memory_order_relaxed) ? 1U : 0U) | buttons_.load(std::memory_order_relaxed);
   return true;
+}
+
+/// The wish, or where the hand is on its way there at the end of this period.
+sim::HandSetpoint SimulatedArm::glided(const Wish& wish) noexcept {
+  const std::int64_t now_ns = time_ns_ - period_ns_;
+  if (wish.number != glide_.number) {
+    const bool was_held = heeded_.holds;
+    const std::int64_t since_ns = now_ns - glide_.told_ns;
+    glide_.number = wish.number;
+    if (!wish.glides || !wish.setpoint.holds || !was_held) {
+      glide_.p_WT = wish.setpoint.p_WT;
+      glide_.told_ns = glide_.arrives_ns = now_ns;
+    } else if (since_ns >= kOneGo_ns || glide_.arrives_ns <= now_ns) {
+      glide_.told_ns = now_ns;
+      glide_.arrives_ns =
+          now_ns + std::min(kLongestGlide_ns, static_cast<std::int64_t>(kGlideShare * static_cast<double>(since_ns)));
+    }
+  }
+  const std::int64_t left_ns = std::max(glide_.arrives_ns - now_ns, period_ns_);
+  glide_.p_WT += (wish.setpoint.p_WT - glide_.p_WT) * (static_cast<double>(period_ns_) / static_cast<double>(left_ns));
+  sim::HandSetpoint there = wish.setpoint;
+  there.p_WT = left_ns > period_ns_ ? glide_.p_WT : wish.setpoint.p_WT;
+  return there;
 }
 
 void SimulatedArm::takeUp() noexcept {
@@ -202,9 +230,17 @@ void SimulatedArm::follow(sim::HandScript script) {
 }
 
 void SimulatedArm::setSetpoint(const sim::HandSetpoint& setpoint) {
+  wish(setpoint, false);
+}
+
+void SimulatedArm::glideTo(const sim::HandSetpoint& setpoint) {
+  wish(setpoint, true);
+}
+
+void SimulatedArm::wish(const sim::HandSetpoint& setpoint, bool glides) {
   if (!setpoint.p_WT.allFinite()) return;  // no valid position: the last setpoint stays
   last_setpoint_ = setpoint;
-  wishes_.back() = setpoint;
+  wishes_.back() = {setpoint, ++wishes_made_, glides};
   wishes_.publish();
   has_setpoint_.store(true, std::memory_order_release);
 }

@@ -65,6 +65,11 @@ class SimulatedArm final : public servo::DevicePort {
   /// that a jump of the mouse is not an infinite velocity; v_WT is not used. Any one thread, never blocks the
   /// servo; ends a script.
   void setSetpoint(const sim::HandSetpoint& setpoint);
+  /// Where a hand that is told its places now and then, 10 or 1000 times a second, wants to be: from one to the next it
+  /// moves uniformly in 1.1 times what passed between the last two, so that one that comes a little late does not stop
+  /// it; at most in kLongestGlide_ns.
+  void glideTo(const sim::HandSetpoint& setpoint);
+  static constexpr std::int64_t kLongestGlide_ns = 110'000'000;
   /// Where the hand wants to be by the last setpoint(), or where the arm starts. The thread that calls setpoint().
   const sim::HandSetpoint& setpoint() const { return last_setpoint_; }
 
@@ -81,6 +86,20 @@ class SimulatedArm final : public servo::DevicePort {
     bool rests = false;      // it begins at rest, not where the last one was
     sim::PlantState rest = {};
   };
+  /// A setpoint as it is handed to the servo thread.
+  struct Wish {
+    sim::HandSetpoint setpoint;
+    std::uint32_t number = 0;
+    bool glides = false;
+  };
+  /// Where a hand is on its way to the latest wish.
+  struct Glide {
+    std::uint32_t number = 0;  // of that wish
+    Vec3 p_WT = Vec3::Zero();
+    std::int64_t told_ns = 0, arrives_ns = 0;
+  };
+  void wish(const sim::HandSetpoint& setpoint, bool glides);
+  sim::HandSetpoint glided(const Wish& wish) noexcept UNDERACT_REAL_TIME;
   sim::PlantState standing(const std::optional<arm::JointAngles>& q) const;
   void publish();
   void takeUp() noexcept UNDERACT_REAL_TIME;
@@ -110,7 +129,9 @@ class SimulatedArm final : public servo::DevicePort {
   bool scripted_ = false;
   sim::HandSetpoint heeded_;  // the hand's wish in this period: from the script, or from the mouse, smoothed
   sim::HandSetpoint last_setpoint_;
-  servo::Slot<sim::HandSetpoint> wishes_;
+  servo::Slot<Wish> wishes_;
+  std::uint32_t wishes_made_ = 0;  // of the thread that calls setSetpoint()
+  Glide glide_;
   std::atomic<bool> has_setpoint_{false};
 };
 

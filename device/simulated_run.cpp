@@ -55,22 +55,22 @@ ObjectText modelObject(const sim::ArmModel& model) {
 class Taker {
  public:
   explicit Taker(const Value* object) : object_(object), is_good_(object != nullptr) {}
-  const Value* find(const char* key, json::Kind kind) {
+  const Value* find(const char* key, json::JsonKind kind) {
     const Value* const value = object_ != nullptr ? object_->find(key) : nullptr;
     if (value != nullptr && value->kind == kind) return value;
     is_good_ = false;
     return nullptr;
   }
   double number(const char* key) {
-    const Value* const value = find(key, json::Kind::Number);
+    const Value* const value = find(key, json::JsonKind::Number);
     return value != nullptr ? value->number : 0.0;
   }
   bool boolean(const char* key) {
-    const Value* const value = find(key, json::Kind::Bool);
+    const Value* const value = find(key, json::JsonKind::Bool);
     return value != nullptr && value->boolean;
   }
   std::string text(const char* key) {
-    const Value* const value = find(key, json::Kind::String);
+    const Value* const value = find(key, json::JsonKind::String);
     return value != nullptr ? value->text : std::string();
   }
   bool isGood() const { return is_good_; }
@@ -81,9 +81,9 @@ class Taker {
 };
 
 bool takeNumbers(const Value* list, double* numbers, std::size_t count) {
-  if (list == nullptr || list->kind != json::Kind::Array || list->items.size() != count) return false;
+  if (list == nullptr || list->kind != json::JsonKind::Array || list->items.size() != count) return false;
   for (std::size_t index = 0; index < count; ++index) {
-    if (list->items[index].kind != json::Kind::Number) return false;
+    if (list->items[index].kind != json::JsonKind::Number) return false;
     numbers[index] = list->items[index].number;
   }
   return true;
@@ -95,7 +95,7 @@ bool takePoint(const Value& value, sim::HandPoint& point) {
   bool good = takeNumbers(value.find("p_m"), point.p_WT.data(), 3);
   if (const Value* const rows = value.find("R_WT")) {
     point.turns = true;
-    good = good && rows->kind == json::Kind::Array && rows->items.size() == 3;
+    good = good && rows->kind == json::JsonKind::Array && rows->items.size() == 3;
     for (std::size_t row = 0; good && row < 3; ++row) {
       Vec3 numbers;
       good = takeNumbers(&rows->items[row], numbers.data(), 3);
@@ -113,7 +113,7 @@ bool takeHand(const Value* object, SimulatedRun& run) {
   run.hand.hand = {taker.number("mass_kg"), taker.number("damping_N_s_per_m"), taker.number("stiffness_N_per_m")};
   run.hand.tremor_m = taker.number("tremor_m");
   run.hand.repeat_s = taker.number("repeat_s");
-  const Value* const path = taker.find("path", json::Kind::Array);
+  const Value* const path = taker.find("path", json::JsonKind::Array);
   if (!taker.isGood() || !is_seed || path->items.empty()) return false;
   for (const Value& point : path->items) {
     if (!takePoint(point, run.hand.path.emplace_back())) return false;

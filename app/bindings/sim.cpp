@@ -103,15 +103,15 @@ py::array copied(const std::vector<py::ssize_t>& shape, const std::byte* from) {
 }
 
 /// Typed, and not by the name of a type: pybind11 before 2.12 does not know how large those of numpy 2 are.
-py::array columnOf(record::Kind kind, const std::vector<py::ssize_t>& shape, const std::byte* from) {
+py::array columnOf(record::NumberKind kind, const std::vector<py::ssize_t>& shape, const std::byte* from) {
   switch (kind) {
-    case record::Kind::Byte:
+    case record::NumberKind::Byte:
       return copied<std::uint8_t>(shape, from);
-    case record::Kind::Unsigned:
+    case record::NumberKind::Unsigned:
       return copied<std::uint32_t>(shape, from);
-    case record::Kind::Integer:
+    case record::NumberKind::Integer:
       return copied<std::int64_t>(shape, from);
-    case record::Kind::Real:
+    case record::NumberKind::Real:
       break;
   }
   return copied<double>(shape, from);

@@ -17,14 +17,14 @@ function holderText(by, may) {
 export class Desk {
   constructor() {
     this.parts = Object.fromEntries(
-      ["said", "mode", "force", "error", "tip", "joints", "holder", "start", "stop", "lease", "connect", "view"].map((id) => [id, find(id)]),
+      ["message", "mode", "force", "error", "tip", "joints", "holder", "start", "stop", "lease", "connect", "view"].map((id) => [id, find(id)]),
     );
     this.described_s = 0;
   }
 
   say(sentence, is_bad = false) {
-    this.parts.said.textContent = sentence;
-    this.parts.said.classList.toggle("bad", is_bad);
+    this.parts.message.textContent = sentence;
+    this.parts.message.classList.toggle("bad", is_bad);
   }
 
   mode(mode) {

@@ -93,7 +93,7 @@ async function connect() {
   desk.say("Connecting…");
   try {
     const greeting = await wire.connect(find("address").value.trim(), find("token").value.trim(), NAME);
-    about = said;
+    about = greeting;
     history.clear(greeting.rate_hz);
     desk.say(`Connected to ${greeting.program}: ${greeting.arm}, ${greeting.rate_hz} ticks a second.`);
     desk.mode(greeting.mode);

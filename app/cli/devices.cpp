@@ -12,11 +12,11 @@
 namespace underact::cli {
 namespace {
 
-void printWords(const device::Row& row, const std::vector<device::Found>& all, std::ostream& out) {
-  out << row.name << '\n';
+void printWords(const device::Driver& driver, const std::vector<device::Found>& all, std::ostream& out) {
+  out << driver.name << '\n';
   if (all.empty()) out << "  none is connected\n";
   for (const device::Found& found : all) {
-    const std::string chosen_by = "  (--device " + device::nameOf(row, found) + ")";
+    const std::string chosen_by = "  (--device " + device::nameOf(driver, found) + ")";
     out << "  " << printed(found.title + (found.missing.empty() ? chosen_by : "")) << '\n';
     for (const device::Missing& missing : found.missing) {
       out << "    " << printed(missing.sentence) << '\n';
@@ -25,13 +25,13 @@ void printWords(const device::Row& row, const std::vector<device::Found>& all, s
   }
 }
 
-void printJson(const device::Row& row, const std::vector<device::Found>& all, std::ostream& out) {
+void printJson(const device::Driver& driver, const std::vector<device::Found>& all, std::ostream& out) {
   for (const device::Found& found : all) {
     JsonObject object;
-    object.addText("kind", row.key);
-    object.addText("name", row.name);
+    object.addText("kind", driver.key);
+    object.addText("name", driver.name);
     object.addText("title", found.title);
-    object.addText("device", device::nameOf(row, found));
+    object.addText("device", device::nameOf(driver, found));
     object.addBool("usable", found.missing.empty());
     std::vector<JsonObject> missing(found.missing.size());
     for (std::size_t index = 0; index < missing.size(); ++index) {
@@ -92,8 +92,8 @@ void addDevices(Command program, const Streams& streams, Exit& exit) {
       exit = writeReport(*options, streams);
       return;
     }
-    for (const device::Row& row : device::catalogue())
-      (options->json ? printJson : printWords)(row, row.search(), streams.out);
+    for (const device::Driver& driver : device::catalogue())
+      (options->json ? printJson : printWords)(driver, driver.search(), streams.out);
   });
 }
 

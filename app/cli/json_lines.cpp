@@ -12,7 +12,7 @@
 namespace underact::cli {
 namespace {
 
-using json::Kind;
+using json::JsonKind;
 using json::Value;
 
 using kinematics::kFarthest_mm;
@@ -32,7 +32,7 @@ Problems problem(const char* key, const char* sentence) {
 }
 
 bool isNumberUpTo(const Value& value, double largest) {
-  return value.kind == Kind::Number && std::abs(value.number) <= largest;
+  return value.kind == JsonKind::Number && std::abs(value.number) <= largest;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ Result<Value> readLine(std::string_view text, std::initializer_list<std::string_
   Result<Value> parsed = json::parse(text, "");
   if (!parsed) return parsed.problems();
   const Value& object = parsed.value();
-  if (object.kind != Kind::Object) return Problems{{std::string("A line is an object: ") + example + ".", {}}};
+  if (object.kind != JsonKind::Object) return Problems{{std::string("A line is an object: ") + example + ".", {}}};
   Problems problems;
   for (const std::string& key : object.keys) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end() &&
@@ -76,7 +76,7 @@ Result<chain::JointValues> readJoints(const Value& line, const char* key, const 
   const Value& list = *line.find(key);
   const std::size_t count = chain.joints.size();
   const auto fits = [](const Value& angle) { return isNumberUpTo(angle, kLargestAngle_rad); };
-  if (list.kind != Kind::Array || list.items.size() != count ||
+  if (list.kind != JsonKind::Array || list.items.size() != count ||
       !std::all_of(list.items.begin(), list.items.end(), fits)) {
     if (count == 6) return problem(key, "must be six angles in rad, of magnitude 1e6 or less.");
     const std::string sentence = "must have one entry for each joint, here " + std::to_string(count) +
@@ -98,9 +98,11 @@ Result<Pose> readPose(const Value& line, const char* key, std::string* note) {
   const Value& rows = *line.find(key);
   const auto isRow = [](const Value& row) {
     const auto fits = [](const Value& entry) { return isNumberUpTo(entry, kFarthest_mm); };
-    return row.kind == Kind::Array && row.items.size() == 4 && std::all_of(row.items.begin(), row.items.end(), fits);
+    return row.kind == JsonKind::Array && row.items.size() == 4 &&
+           std::all_of(row.items.begin(), row.items.end(), fits);
   };
-  if (rows.kind != Kind::Array || rows.items.size() != 4 || !std::all_of(rows.items.begin(), rows.items.end(), isRow)) {
+  if (rows.kind != JsonKind::Array || rows.items.size() != 4 ||
+      !std::all_of(rows.items.begin(), rows.items.end(), isRow)) {
     return problem(key, "must be four rows of four numbers, lengths in mm of at most 1e9.");
   }
   Eigen::Matrix4d X;

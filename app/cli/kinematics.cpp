@@ -56,9 +56,9 @@ Result<Vec3> vectorOf(const Value& line, const char* key) {
   Vec3 vector = Vec3::Zero();
   const Value* const list = line.find(key);
   if (list == nullptr) return vector;
-  bool whole = list->kind == json::Kind::Array && list->items.size() == 3;
+  bool whole = list->kind == json::JsonKind::Array && list->items.size() == 3;
   for (std::size_t i = 0; whole && i < 3; ++i) {
-    whole = list->items[i].kind == json::Kind::Number && std::abs(list->items[i].number) <= 1e6;
+    whole = list->items[i].kind == json::JsonKind::Number && std::abs(list->items[i].number) <= 1e6;
     vector[static_cast<Eigen::Index>(i)] = list->items[i].number;
   }
   if (!whole) return Problems{{std::string("\"") + key + "\" must be three numbers of magnitude 1e6 or less.", {}}};

@@ -38,8 +38,8 @@ const tradeoff::Choice& choiceOf(const std::string& key) {
   return *std::find_if(all.begin(), all.end(), [&](const tradeoff::Choice& choice) { return key == choice.key; });
 }
 
-void addRows(const std::vector<tradeoff::Row>& rows, TradeTables& tables) {
-  for (const tradeoff::Row& row : rows) {
+void addRows(const std::vector<tradeoff::TradeoffRow>& rows, TradeTables& tables) {
+  for (const tradeoff::TradeoffRow& row : rows) {
     const tradeoff::Figures& figures = row.figures;
     tables.rows.add({row.scene, row.hand, row.choice, row.option, figures.cost.p50_ns, figures.cost.p99_ns,
                      figures.cost_us_per_s, figures.error, figures.worst, std::string(choiceOf(row.choice).unit),

@@ -13,24 +13,24 @@
 namespace underact::cli {
 namespace {
 
-using json::Kind;
+using json::JsonKind;
 using json::Value;
 
 // Beyond it the squares of the coordinates, in m, could leave the range of a double.
 constexpr double kFarthestTip_mm = 1e100;
 
 bool readVector(const Value& value, Vec3& vector) {
-  if (value.kind != Kind::Array || value.items.size() != 3) return false;
+  if (value.kind != JsonKind::Array || value.items.size() != 3) return false;
   for (std::size_t index = 0; index < 3; ++index) {
     const Value& item = value.items[index];
-    if (item.kind != Kind::Number || !std::isfinite(item.number)) return false;
+    if (item.kind != JsonKind::Number || !std::isfinite(item.number)) return false;
     vector[static_cast<Eigen::Index>(index)] = item.number;
   }
   return true;
 }
 
 bool readMatrix(const Value& value, Mat3& matrix) {
-  if (value.kind != Kind::Array || value.items.size() != 3) return false;
+  if (value.kind != JsonKind::Array || value.items.size() != 3) return false;
   for (std::size_t row = 0; row < 3; ++row) {
     Vec3 entries;
     if (!readVector(value.items[row], entries)) return false;
@@ -57,7 +57,7 @@ Result<PoseLine> readPoseLine(std::string_view text) {
   const Result<Value> parsed = json::parse(text, "");
   if (!parsed) return parsed.problems();
   const Value& object = parsed.value();
-  if (object.kind != Kind::Object) return Problems{{"A line is an object: {\"p_mm\": [x, y, z]}."}};
+  if (object.kind != JsonKind::Object) return Problems{{"A line is an object: {\"p_mm\": [x, y, z]}."}};
   Problems problems;
   checkKeys(object, problems);
   Vec3 p_WT_mm = Vec3::Zero();

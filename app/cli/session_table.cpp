@@ -75,7 +75,7 @@ std::string schedulingOf(record::Session& session) {
     const Result<json::Value> value = session.provenanceOf(row);
     const json::Value* found = value ? value.value().find("servo") : nullptr;
     for (const char* key : {"scheduling", "granted"}) found = found != nullptr ? found->find(key) : nullptr;
-    if (found != nullptr && found->kind == json::Kind::String) words = found->text;
+    if (found != nullptr && found->kind == json::JsonKind::String) words = found->text;
   }
   return words;
 }
@@ -88,8 +88,8 @@ std::string runWord(record::Session& session, std::initializer_list<const char*>
   const json::Value* found = &value.value();
   for (const char* key : keys) found = found != nullptr ? found->find(key) : nullptr;
   if (found == nullptr) return {};
-  if (found->kind == json::Kind::String) return found->text;
-  return found->kind == json::Kind::Number ? json::numberText(found->number) : std::string();
+  if (found->kind == json::JsonKind::String) return found->text;
+  return found->kind == json::JsonKind::Number ? json::numberText(found->number) : std::string();
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ std::string checkedText(const json::Value* value, const std::string& path, json:
 
 Chapter readChapter(const json::Value& value, const std::string& path, json::Findings& findings) {
   Chapter chapter;
-  if (!json::isKind(value, json::Kind::Object, path, "a chapter in {}", findings)) return chapter;
+  if (!json::isKind(value, json::JsonKind::Object, path, "a chapter in {}", findings)) return chapter;
   json::ObjectReader reader(value, path, "a chapter", findings);
   chapter.title = checkedText(reader.find("title", true), path + ".title", findings);
   const json::Value* pages = reader.find("pages", true);
-  if (pages != nullptr && json::isKind(*pages, json::Kind::Array, path + ".pages", "a list of names", findings)) {
+  if (pages != nullptr && json::isKind(*pages, json::JsonKind::Array, path + ".pages", "a list of names", findings)) {
     for (const json::Value& page : pages->items) chapter.pages.push_back(checkedText(&page, path + ".pages", findings));
   }
   reader.finish();
@@ -34,13 +34,13 @@ Result<std::vector<Chapter>> readContents(const std::string& file) {
   if (!root) return root.problems();
   json::Findings findings(file);
   std::vector<Chapter> chapters;
-  if (json::isKind(root.value(), json::Kind::Object, "", "contents in {}", findings)) {
+  if (json::isKind(root.value(), json::JsonKind::Object, "", "contents in {}", findings)) {
     json::ObjectReader reader(root.value(), "", "contents", findings);
     const json::Value* version = reader.find("underact_guide", true);
     if (version != nullptr && version->number != 1.0)
       findings.add(*version, "underact_guide", "This must be 1, the version of contents.");
     const json::Value* list = reader.find("chapters", true);
-    if (list != nullptr && json::isKind(*list, json::Kind::Array, "chapters", "a list of chapters", findings)) {
+    if (list != nullptr && json::isKind(*list, json::JsonKind::Array, "chapters", "a list of chapters", findings)) {
       for (const json::Value& chapter : list->items) chapters.push_back(readChapter(chapter, "chapters", findings));
     }
     reader.finish();

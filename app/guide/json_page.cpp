@@ -3,18 +3,18 @@
 namespace underact::guide {
 namespace {
 
-using json::Kind;
+using json::JsonKind;
 using json::Value;
 
 constexpr std::size_t kColumns = 120;
 
 std::string scalarText(const Value& value) {
   switch (value.kind) {
-    case Kind::Null:
+    case JsonKind::Null:
       return "null";
-    case Kind::Bool:
+    case JsonKind::Bool:
       return value.boolean ? "true" : "false";
-    case Kind::Number:
+    case JsonKind::Number:
       return json::numberText(value.number);
     default:
       return json::quotedText(value.text);
@@ -22,15 +22,15 @@ std::string scalarText(const Value& value) {
 }
 
 std::string nameOf(const Value& value, std::size_t i) {
-  return value.kind == Kind::Object ? json::quotedText(value.keys[i]) + ": " : std::string();
+  return value.kind == JsonKind::Object ? json::quotedText(value.keys[i]) + ": " : std::string();
 }
 
 std::string inOneLine(const Value& value) {
-  if (value.kind != Kind::Object && value.kind != Kind::Array) return scalarText(value);
+  if (value.kind != JsonKind::Object && value.kind != JsonKind::Array) return scalarText(value);
   std::string text;
   for (std::size_t i = 0; i < value.items.size(); ++i)
     text += (i == 0 ? "" : ", ") + nameOf(value, i) + inOneLine(value.items[i]);
-  return value.kind == Kind::Object ? "{" + text + "}" : "[" + text + "]";
+  return value.kind == JsonKind::Object ? "{" + text + "}" : "[" + text + "]";
 }
 
 /// before: what stands in its first line already.
@@ -40,7 +40,7 @@ void write(const Value& value, std::size_t indent, std::size_t before, std::stri
     out += line;
     return;
   }
-  const bool is_object = value.kind == Kind::Object;
+  const bool is_object = value.kind == JsonKind::Object;
   const std::string space(indent + 2, ' ');
   out += is_object ? "{\n" : "[\n";
   for (std::size_t i = 0; i < value.items.size(); ++i) {

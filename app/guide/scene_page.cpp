@@ -25,11 +25,11 @@ constexpr std::array kParts{"control", "velocity", "influence", "friction", "joi
 
 std::string shownValue(const Value& value) {
   switch (value.kind) {
-    case json::Kind::Bool:
+    case json::JsonKind::Bool:
       return value.boolean ? "true" : "false";
-    case json::Kind::Number:
+    case json::JsonKind::Number:
       return json::numberText(value.number);
-    case json::Kind::String:
+    case json::JsonKind::String:
       return value.text;
     default:
       return {};

@@ -13,25 +13,25 @@
 namespace underact::guide {
 namespace {
 
-using json::Kind;
+using json::JsonKind;
 using json::Value;
 using scene::Setting;
 using scene::SettingKind;
 
 constexpr std::string_view kDefs = "#/$defs/";
 
-Value emptyOf(Kind kind) {
+Value emptyOf(JsonKind kind) {
   Value made;
   made.kind = kind;
   return made;
 }
 Value textValue(const std::string& text) {
-  Value made = emptyOf(Kind::String);
+  Value made = emptyOf(JsonKind::String);
   made.text = text;
   return made;
 }
 Value numberValue(double number) {
-  Value made = emptyOf(Kind::Number);
+  Value made = emptyOf(JsonKind::Number);
   made.number = number;
   return made;
 }
@@ -48,7 +48,7 @@ void set(Value& object, const std::string& key, Value value) {
 }
 
 Value refTo(const std::string& part) {
-  Value made = emptyOf(Kind::Object);
+  Value made = emptyOf(JsonKind::Object);
   set(made, "$ref", textValue(std::string(kDefs) + part));
   return made;
 }
@@ -57,7 +57,7 @@ Value refTo(const std::string& part) {
 template <scene::PlainShape Shape>
 Value schemaOf(const Shape& shape) {
   constexpr const char* kOfMeaning[] = {"position", "length", "direction", "rotation"};
-  Value made = emptyOf(Kind::Object), required = emptyOf(Kind::Array), keys = made, type = made;
+  Value made = emptyOf(JsonKind::Object), required = emptyOf(JsonKind::Array), keys = made, type = made;
   required.items.push_back(textValue("type"));
   set(keys, "name", refTo("name"));
   set(type, "const", textValue(typeName(shape)));
@@ -75,7 +75,7 @@ Value schemaOf(const Shape& shape) {
   set(keys, "control", refTo("control"));
   set(made, "type", textValue("object"));
   set(made, "description", textValue(scene::kRow<Shape>.about));
-  set(made, "additionalProperties", emptyOf(Kind::Bool));
+  set(made, "additionalProperties", emptyOf(JsonKind::Bool));
   set(made, "required", std::move(required));
   set(made, "properties", std::move(keys));
   return made;
@@ -95,10 +95,10 @@ std::string descriptionOf(const Setting& setting) {
 
 /// The schema of its value.
 Value schemaOf(const Setting& setting, const scene::SettingValue& default_value) {
-  Value made = emptyOf(Kind::Object);
+  Value made = emptyOf(JsonKind::Object);
   switch (setting.kind) {
     case SettingKind::Choice: {
-      Value words = emptyOf(Kind::Array);
+      Value words = emptyOf(JsonKind::Array);
       for (const std::string& word : setting.words()) words.items.push_back(textValue(word));
       set(made, "enum", std::move(words));
       break;
@@ -188,7 +188,7 @@ class Schema {
   }
 
   static void require(Value& object, const std::string& key) {
-    if (member(object, "required") == nullptr) set(object, "required", emptyOf(Kind::Array));
+    if (member(object, "required") == nullptr) set(object, "required", emptyOf(JsonKind::Array));
     std::vector<Value>& keys = member(object, "required")->items;
     if (std::none_of(keys.begin(), keys.end(), [&](const Value& one) { return one.text == key; }))
       keys.push_back(textValue(key));

@@ -154,11 +154,11 @@ json::ObjectText gripText(const servo::TickRecord& tick, const arm::Geometry& ge
 /// Finite numbers x, y, z and, of four, w.
 template <class Numbers>
 std::optional<Numbers> numbersIn(const json::Value* value) {
-  if (value == nullptr || value->kind != json::Kind::Object) return std::nullopt;
+  if (value == nullptr || value->kind != json::JsonKind::Object) return std::nullopt;
   Numbers numbers;
   for (Eigen::Index at = 0; at < numbers.size(); ++at) {
     const json::Value* const number = value->find(std::string_view("xyzw").substr(static_cast<std::size_t>(at), 1));
-    if (number == nullptr || number->kind != json::Kind::Number || !(std::abs(number->number) <= kMax))
+    if (number == nullptr || number->kind != json::JsonKind::Number || !(std::abs(number->number) <= kMax))
       return std::nullopt;
     numbers[at] = number->number;
   }
@@ -166,16 +166,16 @@ std::optional<Numbers> numbersIn(const json::Value* value) {
 }
 
 const json::Value* objectIn(const json::Value* value, const char* key) {
-  if (value == nullptr || value->kind != json::Kind::Object) return nullptr;
+  if (value == nullptr || value->kind != json::JsonKind::Object) return nullptr;
   const json::Value* const found = value->find(key);
-  return found != nullptr && found->kind == json::Kind::Object ? found : nullptr;
+  return found != nullptr && found->kind == json::JsonKind::Object ? found : nullptr;
 }
 
 /// A command of one device that is to be executed.
 const json::Value* commandOf(const json::Value& device, const char* name) {
   const json::Value* const command = objectIn(objectIn(&device, "commands"), name);
   const json::Value* const execute = command != nullptr ? command->find("execute") : nullptr;
-  return execute != nullptr && execute->kind == json::Kind::Bool && !execute->boolean ? nullptr : command;
+  return execute != nullptr && execute->kind == json::JsonKind::Bool && !execute->boolean ? nullptr : command;
 }
 
 /// The force of one device's commands. Problems: it is none.
@@ -264,11 +264,11 @@ Result<Frame> readFrame(std::string_view text, const SessionWords& session) {
   if (settings != nullptr) frame.wants_all = settings->find("force_render_full_state") != nullptr;
   const json::Value* const profile = objectIn(objectIn(settings, "configure"), "profile");
   const json::Value* const name = profile != nullptr ? profile->find("name") : nullptr;
-  frame.names_profile = name != nullptr && name->kind == json::Kind::String;
+  frame.names_profile = name != nullptr && name->kind == json::JsonKind::String;
   if (frame.names_profile) frame.session.profile = name->text.substr(0, kLongestProfile);
   const auto devices = [&](const char* list) -> std::span<const json::Value> {
-    const json::Value* const found = root.value().kind == json::Kind::Object ? root.value().find(list) : nullptr;
-    if (found == nullptr || found->kind != json::Kind::Array) return {};
+    const json::Value* const found = root.value().kind == json::JsonKind::Object ? root.value().find(list) : nullptr;
+    if (found == nullptr || found->kind != json::JsonKind::Array) return {};
     return found->items;
   };
   Problems problems;

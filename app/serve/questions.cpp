@@ -166,7 +166,7 @@ void Service::Impl::subscribe(Client& client, const Request& request) {
     keys.add(request.root(), "format", "This must be \"json\" or \"binary\".");
   std::vector<std::string> names;
   for (std::size_t at = 0; columns != nullptr && at < columns->items.size(); ++at) {
-    if (columns->items[at].kind != json::Kind::String)
+    if (columns->items[at].kind != json::JsonKind::String)
       keys.add(columns->items[at], "columns[" + std::to_string(at) + "]",
                "This must be the name of a column, as text.");
     else

@@ -38,7 +38,8 @@ struct Trail {
 
   std::string text() const {
     if (in == nullptr) return {};
-    return before->text() + "/" + (in->kind == json::Kind::Object ? stepOf(in->keys[index]) : std::to_string(index));
+    return before->text() + "/" +
+           (in->kind == json::JsonKind::Object ? stepOf(in->keys[index]) : std::to_string(index));
   }
 };
 
@@ -47,13 +48,13 @@ void judge(const json::Value& value, const Trail& trail, const json::Value* id, 
   const auto add = [&](const Trail& where, const std::string& sentence) {
     if (problems.size() < kMaxProblems) problems.push_back({sentence, {{}, value.line, value.column, where.text()}});
   };
-  if (value.kind == json::Kind::Null) add(trail, "null is never a value. Omit the key.");
-  if (value.kind == json::Kind::Number && !std::isfinite(value.number) && &value != id)
+  if (value.kind == json::JsonKind::Null) add(trail, "null is never a value. Omit the key.");
+  if (value.kind == json::JsonKind::Number && !std::isfinite(value.number) && &value != id)
     add(trail, "This number is too large.");
   std::unordered_set<std::string_view> seen;
   for (std::size_t index = 0; index < value.items.size() && problems.size() < kMaxProblems; ++index) {
     const Trail step{&trail, &value, index};
-    if (value.kind == json::Kind::Object && !seen.insert(value.keys[index]).second)
+    if (value.kind == json::JsonKind::Object && !seen.insert(value.keys[index]).second)
       add(step, "This key appears twice. Remove one of them.");
     judge(value.items[index], step, id, problems);
   }
@@ -61,9 +62,9 @@ void judge(const json::Value& value, const Trail& trail, const json::Value* id, 
 
 /// An id as JSON, a number with its own digits; none: it is not one.
 std::optional<std::string> idText(const json::Value* value) {
-  const auto is = [&](json::Kind kind) { return value != nullptr && value->kind == kind; };
-  const bool is_number = is(json::Kind::Number);
-  const bool is_scalar = is_number || is(json::Kind::String) || is(json::Kind::Bool);
+  const auto is = [&](json::JsonKind kind) { return value != nullptr && value->kind == kind; };
+  const bool is_number = is(json::JsonKind::Number);
+  const bool is_scalar = is_number || is(json::JsonKind::String) || is(json::JsonKind::Bool);
   if (!is_scalar || value->text.size() > kLongestId) return std::nullopt;
   return is_number ? value->text : json::textOf(*value);
 }
@@ -107,13 +108,13 @@ Glance glanceAt(std::string_view text) {
 Result<Request> readRequest(std::string_view text) {
   Result<json::Value> root = json::parse(text, {});
   if (!root) return problemAt("", "This frame is not JSON: " + root.problems().front().sentence);
-  if (root.value().kind != json::Kind::Object)
+  if (root.value().kind != json::JsonKind::Object)
     return problemAt("", "A request is an object, as in {\"id\": 1, \"do\": \"status\"}.");
   const json::Value* const what = root.value().find("do");
   if (what == nullptr) return problemAt("/do", "The key \"do\" is missing: it names the request.");
   Request request;
   request.id = idText(root.value().find("id")).value_or(request.id);
-  if (what->kind == json::Kind::String) request.what = what->text;
+  if (what->kind == json::JsonKind::String) request.what = what->text;
   request.read = std::make_shared<const json::Value>(std::move(root).value());
   return request;
 }
@@ -140,7 +141,8 @@ Keys::Keys(const Request& request)
 
 std::optional<std::string> Keys::text(const char* key, std::size_t longest, bool required) {
   const json::Value* const value = reader_.find(key, required);
-  if (value == nullptr || !json::isKind(*value, json::Kind::String, key, json::kindName(json::Kind::String), findings_))
+  if (value == nullptr ||
+      !json::isKind(*value, json::JsonKind::String, key, json::kindName(json::JsonKind::String), findings_))
     return std::nullopt;
   if (value->text.size() <= longest) return value->text;
   findings_.add(*value, key,
@@ -151,7 +153,8 @@ std::optional<std::string> Keys::text(const char* key, std::size_t longest, bool
 
 std::optional<double> Keys::number(const char* key, double min, double max, bool required) {
   const json::Value* const value = reader_.find(key, required);
-  if (value == nullptr || !json::isKind(*value, json::Kind::Number, key, json::kindName(json::Kind::Number), findings_))
+  if (value == nullptr ||
+      !json::isKind(*value, json::JsonKind::Number, key, json::kindName(json::JsonKind::Number), findings_))
     return std::nullopt;
   if (value->number >= min && value->number <= max) return value->number;
   findings_.add(*value, key,
@@ -162,21 +165,24 @@ std::optional<double> Keys::number(const char* key, double min, double max, bool
 
 std::optional<bool> Keys::flag(const char* key, bool required) {
   const json::Value* const value = reader_.find(key, required);
-  if (value == nullptr || !json::isKind(*value, json::Kind::Bool, key, json::kindName(json::Kind::Bool), findings_))
+  if (value == nullptr ||
+      !json::isKind(*value, json::JsonKind::Bool, key, json::kindName(json::JsonKind::Bool), findings_))
     return std::nullopt;
   return value->boolean;
 }
 
 const json::Value* Keys::list(const char* key) {
   const json::Value* const value = reader_.find(key, true);
-  if (value == nullptr || !json::isKind(*value, json::Kind::Array, key, json::kindName(json::Kind::Array), findings_))
+  if (value == nullptr ||
+      !json::isKind(*value, json::JsonKind::Array, key, json::kindName(json::JsonKind::Array), findings_))
     return nullptr;
   return value;
 }
 
 const json::Value* Keys::object(const char* key, bool required) {
   const json::Value* const value = reader_.find(key, required);
-  if (value == nullptr || !json::isKind(*value, json::Kind::Object, key, json::kindName(json::Kind::Object), findings_))
+  if (value == nullptr ||
+      !json::isKind(*value, json::JsonKind::Object, key, json::kindName(json::JsonKind::Object), findings_))
     return nullptr;
   return value;
 }

@@ -19,8 +19,8 @@ std::size_t widthOf(const record::Column& column) {
 }
 
 /// A whole number with all its digits.
-std::string cellText(double number, record::Kind kind) {
-  if (kind == record::Kind::Real) return json::numberText(number);
+std::string cellText(double number, record::NumberKind kind) {
+  if (kind == record::NumberKind::Real) return json::numberText(number);
   return std::to_string(static_cast<std::int64_t>(number));
 }
 

@@ -30,7 +30,7 @@ const std::vector<std::string>& placementKeys() {
 
 json::Value textValue(const std::string& text) {
   json::Value value;
-  value.kind = json::Kind::String;
+  value.kind = json::JsonKind::String;
   value.text = text;
   return value;
 }
@@ -64,7 +64,7 @@ Result<scene::Constraint> readAlone(const scene::Description& scene, const json:
   Result<json::Value> root = json::parse(scene::writeScene(around), {});
   if (!root) return root.problems();
   json::Value list;
-  list.kind = json::Kind::Array;
+  list.kind = json::JsonKind::Array;
   list.items.push_back(constraint);
   put(root.value(), "constraints", list);
   Result<scene::Description> alone = scene::readScene(json::textOf(root.value()), scene.file);
@@ -153,7 +153,7 @@ Result<scene::Constraint> readConstraint(const scene::Description& scene, const 
   json::Value named = constraint;
   if (constraint.find("name") == nullptr) {
     const json::Value* const type = constraint.find("type");
-    put(named, "name", textValue(type != nullptr && type->kind == json::Kind::String ? type->text : "constraint"));
+    put(named, "name", textValue(type != nullptr && type->kind == json::JsonKind::String ? type->text : "constraint"));
   }
   Result<scene::Constraint> read = readAlone(scene, named);
   if (!read) return read;
@@ -260,7 +260,7 @@ Result<std::string> valuesFor(const Request& request, const scene::Description& 
   for (std::size_t at = 0; paths != nullptr && at < std::min(paths->items.size(), kMaxSettings); ++at) {
     const json::Value& path = paths->items[at];
     ++problems;
-    if (path.kind != json::Kind::String) {
+    if (path.kind != json::JsonKind::String) {
       keys.add(path, "paths[" + std::to_string(at) + "]", "This must be the path of a setting, as text.");
     } else if (const std::string where = path.text.empty() ? "paths" : path.text;
                problems > kMaxHints && !scene::hasSetting(scene, path.text)) {

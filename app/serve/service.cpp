@@ -68,7 +68,7 @@ void Service::Impl::perform(Client& client, const Request& request) {
     std::vector<std::string> known;
     for (const Command& one : kCommands) known.emplace_back(one.name);
     const std::string nearest = json::nearestWord(request.what, known);
-    const std::string what = request.root().find("do")->kind == json::Kind::String
+    const std::string what = request.root().find("do")->kind == json::JsonKind::String
                                  ? "There is no request " + json::shown(request.what) + "."
                                  : "\"do\" must be the name of a request, as text.";
     refuse(client, request, problemAt("/do", what + (nearest.empty() ? "" : " Did you mean \"" + nearest + "\"?")));

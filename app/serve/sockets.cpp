@@ -49,7 +49,7 @@ class Wire;
 
 /// A port, and who has connected to it.
 struct Door {
-  Door(web_socket::Loop& its_loop, std::vector<std::string> allowed)
+  Door(web_socket::EventLoop& its_loop, std::vector<std::string> allowed)
       : loop(its_loop), origins(std::move(allowed)), listener(loop), pause(loop) {}
   void accept();
   void take(web_socket::Connection connection);
@@ -62,7 +62,7 @@ struct Door {
     came();
   }
 
-  web_socket::Loop& loop;
+  web_socket::EventLoop& loop;
   std::vector<std::string> origins;
   web_socket::Listener listener;
   web_socket::Timer pause;
@@ -246,7 +246,7 @@ void Door::take(web_socket::Connection connection) {
 
 struct Sockets::Impl {
   std::function<void()> came;
-  web_socket::Loop loop;
+  web_socket::EventLoop loop;
   std::vector<std::unique_ptr<Door>> doors;
   std::atomic<bool> looks = false;  // a call of look() is on its way
   std::thread thread;

@@ -128,7 +128,7 @@ void Service::Impl::force(Client& client, const Request& request) {
   Vec3 f_T_W = Vec3::Zero();
   bool are_three = list != nullptr && list->items.size() == 3;
   for (std::size_t axis = 0; are_three && axis < 3; ++axis) {
-    are_three = list->items[axis].kind == json::Kind::Number;
+    are_three = list->items[axis].kind == json::JsonKind::Number;
     f_T_W[static_cast<Eigen::Index>(axis)] = list->items[axis].number;
   }
   if (list != nullptr && !are_three) keys.add(*list, "f_N", "This must be a list of 3 numbers, N, for x, y and z.");

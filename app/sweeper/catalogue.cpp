@@ -5,14 +5,14 @@
 
 namespace underact::sweep {
 
-std::span<const Kind> kinds() {
-  static const std::vector<Kind> kKinds{handsKind(), stabilityKind()};
+std::span<const SweepKind> kinds() {
+  static const std::vector<SweepKind> kKinds{handsKind(), stabilityKind()};
   return kKinds;
 }
 
-const Kind* findKind(std::string_view key) {
-  const std::span<const Kind> all = kinds();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Kind& kind) { return kind.key == key; });
+const SweepKind* findKind(std::string_view key) {
+  const std::span<const SweepKind> all = kinds();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const SweepKind& kind) { return kind.key == key; });
   return found == all.end() ? nullptr : &*found;
 }
 

@@ -54,7 +54,7 @@ std::string defaultOf(const Option& option) {
   return text.empty() ? " (required)" : text + "]";
 }
 
-void addKind(options::Command program, const Kind& kind, const Setting& setting) {
+void addKind(options::Command program, const SweepKind& kind, const Setting& setting) {
   const auto request = std::make_shared<Request>();
   request->kind = &kind;
   const options::Command command = program.add(kind.key, kind.question);
@@ -89,7 +89,7 @@ void addList(options::Command program, const Setting& setting) {
   const auto json = std::make_shared<bool>(false);
   command.flag("--json", *json, "One JSON object per kind");
   command.whenChosen([json, setting] {
-    for (const Kind& kind : kinds()) {
+    for (const SweepKind& kind : kinds()) {
       cli::JsonObject object;
       object.addText("kind", kind.key);
       object.addText("question", kind.question);
@@ -107,7 +107,7 @@ options::Program makeGrammar(const cli::Streams& streams, Team* team, Exit& exit
   program.version(std::string("underact-sweep ") + kVersion + " (MPI: " + mpiVersion() + ")");
   program.mustChoose();
   const Setting setting{streams, team, exit};
-  for (const Kind& kind : kinds()) addKind(program, kind, setting);
+  for (const SweepKind& kind : kinds()) addKind(program, kind, setting);
   addFrom(program, setting);
   addList(program, setting);
   return program;

@@ -146,7 +146,7 @@ std::string commandOf(const Plan& plan, std::size_t index, std::uint64_t seed) {
       .text();
 }
 
-Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
+Result<SweepRow> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   const Where at = whereIs(plan, index);
   sim::HandScript hand = plan.hands[at.hand];
   hand.seed = seed;
@@ -155,7 +155,7 @@ Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   const Result<Figures> result = figuresOf(plan, plan.scenes[at.scene], hand, rate_hz);
   if (!result) return result.problems();
   const Figures& figures = result.value();
-  Row row;
+  SweepRow row;
   row.add(plan.scene_names[at.scene]);
   row.add(plan.hand_names[at.hand]);
   row.add(rate_hz);
@@ -261,7 +261,7 @@ Result<Cells> make(Options& options) {
 
 }  // namespace hands_kind
 
-Kind handsKind() {
+SweepKind handsKind() {
   return {"hands",
           "What does the arm do in hands that differ in mass, damping, stiffness and tremor?",
           {{"scene", "Scene files", {}, true},

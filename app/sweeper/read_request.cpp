@@ -16,18 +16,18 @@ constexpr double kLargestSeed = 0x1p53;  // beyond it a double skips whole numbe
 
 /// A value as on the command line; none, and a problem, if it is neither text nor a number.
 std::optional<std::string> wordOf(const Value& value, const std::string& path, Findings& findings) {
-  if (value.kind == json::Kind::String) return value.text;
-  if (value.kind == json::Kind::Number) return json::numberText(value.number);
+  if (value.kind == json::JsonKind::String) return value.text;
+  if (value.kind == json::JsonKind::Number) return json::numberText(value.number);
   findings.add(value, path, "This must be a text or a number.");
   return {};
 }
 
 void readOptions(const Value& object, Options::Values& values, Findings& findings) {
-  if (!isKind(object, json::Kind::Object, "options", "an object, as in {\"draws\": 10}", findings)) return;
+  if (!isKind(object, json::JsonKind::Object, "options", "an object, as in {\"draws\": 10}", findings)) return;
   for (std::size_t member = 0; member < object.keys.size(); ++member) {
     const std::string path = "options." + json::plainKey(object.keys[member]);
     const Value& value = object.items[member];
-    const bool is_list = value.kind == json::Kind::Array;
+    const bool is_list = value.kind == json::JsonKind::Array;
     const auto [at, is_first] = values.try_emplace(object.keys[member]);
     if (!is_first) findings.add(object.key_places[member], path, "This key appears twice.");
     for (const Value& item : is_list ? value.items : std::vector{value}) {
@@ -37,7 +37,7 @@ void readOptions(const Value& object, Options::Values& values, Findings& finding
 }
 
 void readRoot(const Value& root, Request& request, Findings& findings) {
-  if (!isKind(root, json::Kind::Object, "", "an object, as in {\"underact_sweep\": 1, ...}", findings)) return;
+  if (!isKind(root, json::JsonKind::Object, "", "an object, as in {\"underact_sweep\": 1, ...}", findings)) return;
   json::ObjectReader object(root, "", "a sweep", findings);
   if (const Value* version = object.find("underact_sweep", true); version != nullptr && version->number != 1.0)
     findings.add(*version, "underact_sweep", "This must be 1, the only version.");
@@ -46,8 +46,8 @@ void readRoot(const Value& root, Request& request, Findings& findings) {
     readText(*kind, "kind", key, findings);
     request.kind = findKind(key);
     std::vector<std::string> keys;
-    for (const Kind& one : kinds()) keys.push_back(one.key);
-    if (request.kind == nullptr && kind->kind == json::Kind::String)
+    for (const SweepKind& one : kinds()) keys.push_back(one.key);
+    if (request.kind == nullptr && kind->kind == json::JsonKind::String)
       findings.add(*kind, "kind", "This must be " + json::listed(keys) + "; here it is " + json::shown(key) + ".");
   }
   if (const Value* seed = object.find("seed")) {

@@ -11,7 +11,7 @@ namespace underact::sweep {
 
 /// The request on the command line.
 struct Request {
-  const Kind* kind = nullptr;
+  const SweepKind* kind = nullptr;
   Options::Values values;
   std::uint64_t seed = 1;
   std::string out;

@@ -79,13 +79,13 @@ std::string commandOf(const Plan& plan, std::size_t index, std::uint64_t seed) {
   return words.add("--stiffness_N_per_m", stability::kNominal_N_per_m).add("--json").text();
 }
 
-Result<Row> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
+Result<SweepRow> runCell(const Plan& plan, std::size_t index, std::uint64_t seed) {
   const bool is_drawn = index >= plan.walls.size();
   const stability::Variant variant = variantOf(plan, index, seed);
   const stability::SampledWall& wall = variant.wall;
   const stability::Limits limits = stability::limitsOf(wall);
   const stability::TrialResult nominal = stability::tryWall(wall, stability::kNominal_N_per_m);
-  Row row;
+  SweepRow row;
   row.add(is_drawn ? kDrawn : plan.walls[index].first);
   row.add(variant.name);
   row.add(1'000'000'000 / wall.period_ns);
@@ -153,7 +153,7 @@ Result<Cells> make(Options& options) {
 
 }  // namespace stability_kind
 
-Kind stabilityKind() {
+SweepKind stabilityKind() {
   return {
       "stability",
       "How stiff can a wall be before it buzzes: by bisection in the simulated loop, by eigenvalues, and by formulas?",

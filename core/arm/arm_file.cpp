@@ -20,7 +20,7 @@ using json::ObjectReader;
 using json::Value;
 
 void readDevice(const Value& value, Model& model, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, "device", phrase(TRANSLATE_NOOP("problem", "an object in { }")), findings))
+  if (!isKind(value, json::JsonKind::Object, "device", phrase(TRANSLATE_NOOP("problem", "an object in { }")), findings))
     return;
   ObjectReader object(value, "device", phrase(TRANSLATE_NOOP("problem", "a device description")), findings);
   DeviceFigures device;
@@ -35,7 +35,7 @@ void readDevice(const Value& value, Model& model, Findings& findings) {
   const Value* const counts = object.find("encoder_counts_per_turn", omniGeometry(model).has_value());
   const std::string path = "device.encoder_counts_per_turn", number = std::to_string(joints);
   if (counts != nullptr &&
-      isKind(*counts, json::Kind::Array, path,
+      isKind(*counts, json::JsonKind::Array, path,
              phrase(TRANSLATE_NOOP("problem", "a list of numbers, one for each joint")), findings)) {
     if (counts->items.size() != joints)
       findings.add(
@@ -45,7 +45,7 @@ void readDevice(const Value& value, Model& model, Findings& findings) {
          ++joint) {
       const Value& count = counts->items[joint];
       device.counts_per_turn[joint] = count.number;
-      if (!(count.kind == json::Kind::Number && count.number >= 1.0 && std::isfinite(count.number))) {
+      if (!(count.kind == json::JsonKind::Number && count.number >= 1.0 && std::isfinite(count.number))) {
         findings.add(count, path + "[" + std::to_string(joint) + "]",
                      phrase(TRANSLATE_NOOP("problem", "This must be a number of at least 1.")));
       }
@@ -90,7 +90,7 @@ Result<Model> readArm(std::string_view text, const std::string& file_name) {
   const Result<Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "",
+  if (!isKind(root.value(), json::JsonKind::Object, "",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm\": 1, ...}"}), findings)) {
     return findings.take();
   }

@@ -51,7 +51,7 @@ Vec3 pointAt(json::ObjectReader& object, const char* key, bool required) {
 bool flagAt(json::ObjectReader& object, const char* key, bool otherwise) {
   const Value* const value = object.find(key);
   if (value == nullptr) return otherwise;
-  const bool is_flag = isKind(*value, json::Kind::Bool, object.pathOf(key),
+  const bool is_flag = isKind(*value, json::JsonKind::Bool, object.pathOf(key),
                               phrase(TRANSLATE_NOOP("problem", "true or false")), object.findings());
   return is_flag ? value->boolean : otherwise;
 }
@@ -62,16 +62,16 @@ void readPose(json::ObjectReader& object, const char* key, bool required, Pose& 
   const auto wrong = [&](const Value& at, const char* sentence) {
     object.findings().add(at, object.pathOf(key), phrase(sentence));
   };
-  if (value->kind != json::Kind::Array || value->items.size() != 4)
+  if (value->kind != json::JsonKind::Array || value->items.size() != 4)
     return wrong(*value, TRANSLATE_NOOP("problem", "This must be a list of 4 rows."));
   Eigen::Matrix4d matrix;
   for (std::size_t row = 0; row < 4; ++row) {
     const Value& numbers = value->items[row];
-    if (numbers.kind != json::Kind::Array || numbers.items.size() != 4)
+    if (numbers.kind != json::JsonKind::Array || numbers.items.size() != 4)
       return wrong(numbers, TRANSLATE_NOOP("problem", "Each row must have 4 numbers."));
     for (std::size_t column = 0; column < 4; ++column) {
       const Value& number = numbers.items[column];
-      if (number.kind != json::Kind::Number || !std::isfinite(number.number))
+      if (number.kind != json::JsonKind::Number || !std::isfinite(number.number))
         return wrong(number, TRANSLATE_NOOP("problem", "Each entry must be a number."));
       matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = number.number;
     }

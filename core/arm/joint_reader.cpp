@@ -87,7 +87,7 @@ bool readMass(ObjectReader& joint, LinkMass& mass) {
   const Value* const value = joint.find("mass");
   if (value == nullptr) return false;
   const std::string path = joint.pathOf("mass");
-  if (!isKind(*value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object in { }")),
+  if (!isKind(*value, json::JsonKind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object in { }")),
               joint.findings()))
     return false;
   ObjectReader object(*value, path, phrase(TRANSLATE_NOOP("problem", "the mass of a link")), joint.findings());
@@ -99,9 +99,9 @@ bool readMass(ObjectReader& joint, LinkMass& mass) {
   if (const Value* const list = object.find("inertia_kg_mm2")) {
     const std::string key = object.pathOf("inertia_kg_mm2");
     std::array<double, 6> six{};
-    bool whole = list->kind == json::Kind::Array && list->items.size() == six.size();
+    bool whole = list->kind == json::JsonKind::Array && list->items.size() == six.size();
     for (std::size_t i = 0; whole && i < six.size(); ++i) {
-      whole = list->items[i].kind == json::Kind::Number && std::isfinite(list->items[i].number);
+      whole = list->items[i].kind == json::JsonKind::Number && std::isfinite(list->items[i].number);
       six[i] = list->items[i].number;
     }
     if (!whole) {
@@ -190,7 +190,7 @@ chain::Joint readScrew(ObjectReader& object, const JointLines& lines) {
 /// The list of joints, of at least one and at most kMaxJoints; null: a problem.
 const Value* listAt(ObjectReader& object, const char* key) {
   const Value* const list = object.find(key, true);
-  if (list == nullptr || !isKind(*list, json::Kind::Array, key,
+  if (list == nullptr || !isKind(*list, json::JsonKind::Array, key,
                                  phrase(TRANSLATE_NOOP("problem", "a list of joints, in { } each")), object.findings()))
     return nullptr;
   const std::size_t count = list->items.size();
@@ -208,7 +208,7 @@ void forEachJoint(const Value& list, const char* key, const Sentence& what, Find
   for (std::size_t index = 0; index < list.items.size(); ++index) {
     const Value& value = list.items[index];
     const std::string path = key + ("[" + std::to_string(index) + "]");
-    if (!isKind(value, json::Kind::Object, path,
+    if (!isKind(value, json::JsonKind::Object, path,
                 phrase(TRANSLATE_NOOP("problem", "a row, as in {\"alpha_deg\": 90, \"a_mm\": 0, ...}")), findings))
       continue;
     ObjectReader object(value, path, what, findings);

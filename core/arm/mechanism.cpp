@@ -20,11 +20,11 @@ Eigen::Matrix<double, D, D> ontoSpan(std::array<Eigen::Matrix<double, D, 1>, cha
       if (rest[i].squaredNorm() > size2) longest = i, size2 = rest[i].squaredNorm();
     }
     if (longest == count) break;
-    const Column way_W = rest[longest] / std::sqrt(size2);
-    P += std::min(1.0, size2 / (min * min)) * way_W * way_W.transpose();
+    const Column unit_W = rest[longest] / std::sqrt(size2);
+    P += std::min(1.0, size2 / (min * min)) * unit_W * unit_W.transpose();
     for (std::size_t i = 0; i < count; ++i) {
       // Twice: once leaves a remainder of a rounding of the whole column, which is a direction like any other.
-      for (int pass = 0; pass < 2; ++pass) rest[i] -= rest[i].dot(way_W) * way_W;
+      for (int pass = 0; pass < 2; ++pass) rest[i] -= rest[i].dot(unit_W) * unit_W;
     }
   }
   return P;

@@ -41,7 +41,7 @@ MeshSolid readMeshSolid(ObjectReader& object) {
   if (const Value* const file = object.find("file", true)) {
     json::readText(*file, path, mesh.name, findings);
     mesh.place = {findings.file(), file->line, file->column, path};
-    if (file->kind == json::Kind::String && mesh.name.empty())
+    if (file->kind == json::JsonKind::String && mesh.name.empty())
       findings.add(*file, path, phrase(TRANSLATE_NOOP("problem", "This must be the name of a mesh file.")));
     if (mesh.name.size() > kLongestMeshName)
       findings.add(*file, path, phrase(TRANSLATE_NOOP("problem", "The name of the mesh is longer than 1024 bytes.")));
@@ -126,8 +126,8 @@ void readSolids(ObjectReader& object, Model& model) {
   const Value* const list = object.find("solids");
   if (list == nullptr) return;
   Findings& findings = object.findings();
-  if (!isKind(*list, json::Kind::Array, "solids", phrase(TRANSLATE_NOOP("problem", "a list of solids, in { } each")),
-              findings))
+  if (!isKind(*list, json::JsonKind::Array, "solids",
+              phrase(TRANSLATE_NOOP("problem", "a list of solids, in { } each")), findings))
     return;
   if (list->items.size() > kMaxSolids) {
     findings.add(*list, "solids",
@@ -138,7 +138,7 @@ void readSolids(ObjectReader& object, Model& model) {
   for (std::size_t index = 0; index < list->items.size(); ++index) {
     const std::string path = "solids[" + std::to_string(index) + "]";
     const Value& value = list->items[index];
-    if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object in { }")), findings))
+    if (!isKind(value, json::JsonKind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object in { }")), findings))
       continue;
     ObjectReader solid(value, path, phrase(TRANSLATE_NOOP("problem", "a solid")), findings);
     model.solids.push_back(readSolid(solid, value, model.joints.size()));

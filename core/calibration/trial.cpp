@@ -46,7 +46,7 @@ Result<std::array<std::size_t, 2>> beamsOf(const scene::Description& scene) {
   if (beams.size() != 2 || scene.constraints.size() != 2) {
     return Problems{
         {phrase(TRANSLATE_NOOP("problem",
-                               "A calibration needs a scene with two beams: two virtual robots, each with "
+                               "A threshold measurement needs a scene with two beams: two virtual robots, each with "
                                "one revolute joint and a spring. Open the scene \"Two beams, one softer\".")),
          {scene.file, 0, 0, "constraints"}}};
   }

@@ -76,16 +76,16 @@ class Collected {
     const double scale_m = std::max(1.0, reach_m_), length_m = reach_m_ > 0.0 ? reach_m_ : 1.0;
     for (int step = 0; step <= kPolishSteps; ++step) {
       const Kinematics now = kinematics(chain_, std::span<const double>(one.q).first(chain_.joints.size()));
-      const Vec3 way_W = X_WT_.translation() - now.X_WT.translation();
+      const Vec3 offset_W = X_WT_.translation() - now.X_WT.translation();
       const Vec3 turn_W =
           rows_ == 6 ? rotationVector(X_WT_.linear() * now.X_WT.linear().transpose()) : Vec3(Vec3::Zero());
-      one.residual_m = way_W.norm();
+      one.residual_m = offset_W.norm();
       one.residual_rad = turn_W.norm();
       const double off = std::max(one.residual_m / length_m, one.residual_rad);
       if (!(off <= kCandidate)) return false;
       if (off <= kPolished || step == kPolishSteps) break;
       Residual e;
-      e << way_W, length_m * turn_W;
+      e << offset_W, length_m * turn_W;
       Jacobian J = now.J;
       J.bottomRows<3>() *= length_m;
       JointStep dq;

@@ -51,11 +51,11 @@ class Search {
 
   void measure(Place& at) const noexcept UNDERACT_REAL_TIME {
     const Kinematics now = kinematics(chain_, std::span<const double>(at.q).first(joints_));
-    const Vec3 way_W = X_WT_.translation() - now.X_WT.translation();
+    const Vec3 offset_W = X_WT_.translation() - now.X_WT.translation();
     const Vec3 turn_W = rotationVector(X_WT_.linear() * now.X_WT.linear().transpose());
-    at.residual_m = way_W.norm();
+    at.residual_m = offset_W.norm();
     at.residual_rad = turn_W.norm();
-    at.e << way_W, (rows_ == 6 ? length_m_ : 0.0) * turn_W;
+    at.e << offset_W, (rows_ == 6 ? length_m_ : 0.0) * turn_W;
     at.squared = at.e.squaredNorm();
     at.J = now.J;
     at.J.bottomRows<3>() *= length_m_;

@@ -6,7 +6,8 @@
 namespace underact::chain {
 namespace {
 
-constexpr double kTouches = 1e-13;  // of the largest term: some hundred roundings
+constexpr double kTouches = 1e-13;      // of the largest term: some hundred roundings
+constexpr double kCancelled = 0x1p-48;  // of the largest coefficient: a smaller one may be the rounding of its parts
 constexpr int kMaxHalvings =
     200;  // from the largest double to one ulp of 1 would take 1100; roots lie in a few thousand
 
@@ -56,7 +57,8 @@ Roots betweenTurns(const Quartic& c, const Quartic& d, std::size_t degree, const
   Roots roots;
   const auto sideOf = [&](double t) {  // -1, 0 or 1
     const double value = valueAt(c, degree, t);
-    if (std::abs(value) <= kTouches * largestTerm(c, degree, t)) return 0;
+    if (std::abs(value) <= std::max(kTouches * largestTerm(c, degree, t), kCancelled * largestTerm(c, degree, 1.0)))
+      return 0;
     return value > 0.0 ? 1 : -1;
   };
   double a = low;

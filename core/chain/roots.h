@@ -25,9 +25,10 @@ struct Roots {
 };
 
 /// All real roots in [low, high] of a polynomial of degree 4 or less, isolated between the zeros of its derivatives, so
-/// that none is missed. One that only touches zero, to 1e-13 of its largest term, counts. None of a polynomial without
-/// a coefficient, or of one that is not finite. Within the rounding of the coefficients. Cost: at most 10 searches of
-/// some 60 evaluations. Source: Collins and Loos 1976, "Polynomial real root isolation by differentiation".
+/// that none is missed. One that only touches zero, to 1e-13 of its largest term or 2^-48 of its largest coefficient,
+/// counts. None of a polynomial without a coefficient, or of one that is not finite. Within the rounding of the
+/// coefficients. Cost: at most 10 searches of some 60 evaluations. Source: Collins and Loos 1976, "Polynomial real root
+/// isolation by differentiation".
 Roots rootsWithin(const Quartic& c, double low, double high) noexcept UNDERACT_REAL_TIME;
 
 /// All real roots, wherever they are.

@@ -57,12 +57,13 @@ Cubic cubicOf(const Curve& curve, std::int32_t piece) noexcept {
 }
 
 Vec3 pointOn(const Curve& curve, std::int32_t piece, double u) noexcept {
-  if (curve.kind == Kind::Spline) return pointOf(cubicOf(curve, piece), u);
+  if (curve.kind == CurveKind::Spline) return pointOf(cubicOf(curve, piece), u);
   return (1.0 - u) * control(curve, piece) + u * control(curve, piece + 1);
 }
 
 Vec3 tangentOn(const Curve& curve, std::int32_t piece, double u) noexcept {
-  if (curve.kind == Kind::Polyline) return unitOr(control(curve, piece + 1) - control(curve, piece), Vec3::UnitX());
+  if (curve.kind == CurveKind::Polyline)
+    return unitOr(control(curve, piece + 1) - control(curve, piece), Vec3::UnitX());
   const Cubic cubic = cubicOf(curve, piece);
   const Vec3 velocity_W = velocityOf(cubic, u);
   // Where the speed vanishes, as where a path turns back, the tangent is that of the chord to the other end.
@@ -72,7 +73,7 @@ Vec3 tangentOn(const Curve& curve, std::int32_t piece, double u) noexcept {
 }
 
 double lengthUpTo(const Curve& curve, std::int32_t piece, double u) noexcept {
-  if (curve.kind == Kind::Spline) return lengthUpTo(cubicOf(curve, piece), u);
+  if (curve.kind == CurveKind::Spline) return lengthUpTo(cubicOf(curve, piece), u);
   return u * (control(curve, piece + 1) - control(curve, piece)).norm();
 }
 
@@ -88,7 +89,7 @@ Vec3 pointAt(const Curve& curve, double s_m) noexcept {
   const double whole_m = curve.s_m[at + 1] - curve.s_m[at], length_m = s_m - curve.s_m[at];
   if (!(length_m > 0.0)) return pointOn(curve, piece, 0.0);
   if (!(length_m < whole_m)) return pointOn(curve, piece, 1.0);
-  if (curve.kind == Kind::Polyline) return pointOn(curve, piece, length_m / whole_m);
+  if (curve.kind == CurveKind::Polyline) return pointOn(curve, piece, length_m / whole_m);
   return pointOn(curve, piece, placeAt(cubicOf(curve, piece), length_m, whole_m));
 }
 

@@ -55,7 +55,7 @@ void addUp(Curve& curve) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind kind, bool closed,
+Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, CurveKind kind, bool closed,
                                                const SourceLocation& place) {
   const Problems problems = problemsOf(points_W, place);
   if (!problems.empty()) return problems;
@@ -69,7 +69,7 @@ Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind 
                                   : TRANSLATE_NOOP("problem", "A curve needs at least 2 different points.");
     return Problems{{phrase(sentence), place}};
   }
-  if (kind == Kind::Spline) {
+  if (kind == CurveKind::Spline) {
     curve->controls_W = splineControls(points_W, closed);
   } else {
     curve->controls_W = std::move(points_W);

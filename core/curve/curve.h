@@ -10,12 +10,12 @@
 namespace underact::curve {
 
 /// How the points are joined. Polyline: by straight lines. Spline: by cubics through every point, see spline.h.
-enum class Kind : std::uint8_t { Polyline, Spline };
+enum class CurveKind : std::uint8_t { Polyline, Spline };
 
 /// A path through points of the workspace; const from makeCurve() on. A sequence of pieces: straight lines, or cubic
 /// Bezier curves, of which one between two points is split where its arc length requires it.
 struct Curve {
-  Kind kind = Kind::Polyline;
+  CurveKind kind = CurveKind::Polyline;
   bool is_closed = false;        // ends where it begins
   std::vector<Vec3> controls_W;  // m; of piece i: controlsPerPiece() and one more from there times i on
   std::vector<double> s_m;       // arc length from the begin to that of each piece, and to the end
@@ -32,15 +32,15 @@ inline constexpr double kFarthest_m = 1e3;
 /// A curve through points_W, m, in their order; closed: and back to the first. Allocates; a million points take 0.2 s
 /// and 61 MB, a spline of them 1 s and 170 MB (with sharp corners everywhere 3 s and 500 MB). Problems: fewer than 2
 /// different points (closed: 3), more than kMaxPoints, one that is not finite or too far out.
-Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, Kind kind, bool closed,
+Result<std::shared_ptr<const Curve>> makeCurve(std::vector<Vec3> points_W, CurveKind kind, bool closed,
                                                const SourceLocation& place = {});
 
 /// How much memory it takes.
 std::size_t bytesOf(const Curve& curve);
 
 /// Controls of a piece that the next one does not share: 3 for a cubic, 1 for a line.
-inline int controlsPerPiece(Kind kind) noexcept UNDERACT_REAL_TIME {
-  return kind == Kind::Spline ? 3 : 1;
+inline int controlsPerPiece(CurveKind kind) noexcept UNDERACT_REAL_TIME {
+  return kind == CurveKind::Spline ? 3 : 1;
 }
 /// At least 1 for a curve of makeCurve().
 inline std::int32_t pieceCount(const Curve& curve) noexcept UNDERACT_REAL_TIME {

@@ -126,7 +126,7 @@ void seekOnCubic(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found&
 }  // namespace
 
 void seekOnPiece(const Curve& curve, std::int32_t piece, const Vec3& q_W, Found& found) noexcept {
-  if (curve.kind == Kind::Spline) {
+  if (curve.kind == CurveKind::Spline) {
     seekOnCubic(curve, piece, q_W, found);
   } else {
     seekOnLine(curve, piece, q_W, found);

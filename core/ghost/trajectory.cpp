@@ -22,9 +22,9 @@ StylusPose between(const StylusPose& from, const StylusPose& to, double share) {
 }
 
 /// The first row after that time.
-std::vector<Row>::const_iterator rowAfter(const Trajectory& trajectory, double time_s) {
+std::vector<TrajectoryRow>::const_iterator rowAfter(const Trajectory& trajectory, double time_s) {
   return std::upper_bound(trajectory.rows.begin(), trajectory.rows.end(), time_s,
-                          [](double time, const Row& row) { return time < row.time_s; });
+                          [](double time, const TrajectoryRow& row) { return time < row.time_s; });
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Trajectory TrajectoryBuilder::take() {
 }
 
 Trajectory mirrored(Trajectory trajectory, const arm::MirrorPlane& plane) {
-  for (Row& row : trajectory.rows) {
+  for (TrajectoryRow& row : trajectory.rows) {
     row.place.p_WG = plane.positionSeen(row.place.p_WG);
     row.place.stylus_W = plane.directionSeen(row.place.stylus_W);
   }
@@ -71,7 +71,7 @@ StylusPose poseAt(const Trajectory& trajectory, double time_s) {
   if (!(time_s > 0.0)) return trajectory.rows.front().place;
   const auto after = rowAfter(trajectory, time_s);
   if (after == trajectory.rows.end()) return trajectory.rows.back().place;
-  const Row& before = *std::prev(after);
+  const TrajectoryRow& before = *std::prev(after);
   if (after->begins_anew) return before.place;
   return between(before.place, after->place, (time_s - before.time_s) / (after->time_s - before.time_s));
 }
@@ -80,7 +80,7 @@ std::vector<Vec3> ahead(const Trajectory& trajectory, double time_s, double ahea
   const double from_s = std::clamp(time_s, 0.0, trajectory.duration_s());
   double to_s = std::min(from_s + ahead_s, trajectory.duration_s());
   const auto gap = std::find_if(rowAfter(trajectory, from_s), trajectory.rows.end(),
-                                [to_s](const Row& row) { return row.begins_anew || row.time_s > to_s; });
+                                [to_s](const TrajectoryRow& row) { return row.begins_anew || row.time_s > to_s; });
   if (gap != trajectory.rows.end() && gap->begins_anew) to_s = std::min(to_s, std::prev(gap)->time_s);
   std::vector<Vec3> points;
   for (std::size_t step = 0; step < count && to_s > from_s; ++step) {

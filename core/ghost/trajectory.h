@@ -16,7 +16,7 @@ struct StylusPose {
 };
 
 /// A moment of the trajectory; time_s: since its beginning.
-struct Row {
+struct TrajectoryRow {
   double time_s = 0.0;
   StylusPose place;
   bool begins_anew = false;  // there is a gap before this row
@@ -25,7 +25,7 @@ struct Row {
 /// The trajectory of a recorded hand, at most 250 rows a second. Made by TrajectoryBuilder: one row or more, rising
 /// times, finite positions.
 struct Trajectory {
-  std::vector<Row> rows;
+  std::vector<TrajectoryRow> rows;
   int jumps = 0;  // how often the stylus jumps by more than kJump_m
   /// From the beginning to the last row; 0 without rows.
   double duration_s() const { return rows.empty() ? 0.0 : rows.back().time_s; }
@@ -52,7 +52,7 @@ class TrajectoryBuilder {
   double rate_hz_;
   std::size_t ticks_a_row_;
   std::size_t tick_ = 0, due_ = 0;  // of the next one to come; of the next one to keep
-  Row last_;
+  TrajectoryRow last_;
   bool has_last_ = false;
   Trajectory trajectory_;
 };

@@ -88,15 +88,15 @@ std::optional<Estimate> countOf(std::span<const double> angles_rad) {
   return Estimate{count, count * step_rad->uncertainty / step_rad->value};
 }
 
-Vec3 restNoise(std::span<const Row> rows) {
+Vec3 restNoise(std::span<const MotionRow> rows) {
   Vec3 mean_W = Vec3::Zero(), squares = Vec3::Zero();
   const double count = std::max<double>(1.0, static_cast<double>(rows.size()));
-  for (const Row& row : rows) mean_W += (row.p_WT - rows[0].p_WT) / count;
-  for (const Row& row : rows) squares += (row.p_WT - rows[0].p_WT - mean_W).cwiseAbs2() / count;
+  for (const MotionRow& row : rows) mean_W += (row.p_WT - rows[0].p_WT) / count;
+  for (const MotionRow& row : rows) squares += (row.p_WT - rows[0].p_WT - mean_W).cwiseAbs2() / count;
   return squares.cwiseSqrt();
 }
 
-Vec3 slowNoise(std::span<const Row> rows, double period_s) {
+Vec3 slowNoise(std::span<const MotionRow> rows, double period_s) {
   const auto length = static_cast<std::size_t>(std::lround(kStretch_s / period_s));
   std::vector<std::size_t> moving;  // where the stretches begin
   for (std::size_t from = 0; from + length <= rows.size(); from += length) {

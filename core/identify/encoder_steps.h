@@ -16,10 +16,10 @@ std::optional<Estimate> stepOf(std::span<const double> signal);
 std::optional<Estimate> countOf(std::span<const double> angles_rad);
 
 /// Root mean square of the tip about its mean, per axis, m. rows: in which it is at rest.
-Vec3 restNoise(std::span<const Row> rows);
+Vec3 restNoise(std::span<const MotionRow> rows);
 
 /// Scatter about a parabola through each tenth of a second, m: the noise that encoders add to a slow motion. Stretches
 /// in which the tip moves less than 0.1 mm are left out; where none remains, not a number.
-Vec3 slowNoise(std::span<const Row> rows, double period_s);
+Vec3 slowNoise(std::span<const MotionRow> rows, double period_s);
 
 }  // namespace underact::identify

@@ -14,8 +14,8 @@ const Problems kStopped{{phrase(TRANSLATE_NOOP("problem", "The evaluation was ca
 
 /// The rows of all stages of that kind, in order.
 template <class Chosen>
-std::vector<Row> rowsOf(const Plan& plan, const std::vector<Recorded>& recorded, const Chosen& chosen) {
-  std::vector<Row> rows;
+std::vector<MotionRow> rowsOf(const Plan& plan, const std::vector<Recorded>& recorded, const Chosen& chosen) {
+  std::vector<MotionRow> rows;
   for (const Recorded& one : recorded) {
     if (chosen(plan.stages[one.stage])) rows.insert(rows.end(), one.rows.begin(), one.rows.end());
   }
@@ -28,7 +28,7 @@ Sentence at(std::size_t place, int axis, const Sentence& sentence) {
                 {std::string(1, "xyz"[axis]), std::to_string(place + 1), sentence});
 }
 
-Result<AxisSwings> swingsOf(const std::vector<Row>& rows, std::size_t place, int axis, double period_s,
+Result<AxisSwings> swingsOf(const std::vector<MotionRow>& rows, std::size_t place, int axis, double period_s,
                             const std::function<bool()>& stops) {
   AxisSwings swings;
   swings.place = place;
@@ -72,7 +72,7 @@ std::array<std::optional<Estimate>, 6> countsOf(const std::vector<Recorded>& rec
   std::array<std::vector<double>, 6> angles_rad;
   for (const Recorded& one : recorded) {
     if (stops()) return {};
-    for (const Row& row : one.rows) {
+    for (const MotionRow& row : one.rows) {
       const arm::JointAngles device_rad = arm::deviceFromDh(row.q_rad);
       for (std::size_t joint = 0; joint < 6; ++joint) angles_rad[joint].push_back(device_rad[joint]);
     }
@@ -158,7 +158,7 @@ Result<Identified> evaluate(const Plan& plan, const std::vector<Recorded>& recor
   found.counts_per_turn = countsOf(recorded, stops);
   if (stops()) return kStopped;
   found.rest_noise_m = restNoise(rowsOfKind(StageKind::Rest));
-  const std::vector<Row> pressed = rowsOfKind(StageKind::Press);
+  const std::vector<MotionRow> pressed = rowsOfKind(StageKind::Press);
   found.slow_noise_m = slowNoise(pressed, period_s);
   if (stops()) return kStopped;
   Result<Press> press = pressOf(pressed, kPressAlong_W, period_s);

@@ -12,7 +12,7 @@ namespace underact::identify {
 /// The rows of a stage, in order.
 struct Recorded {
   std::size_t stage = 0;  // index into Plan::stages
-  std::vector<Row> rows;
+  std::vector<MotionRow> rows;
 };
 
 /// Runs a plan on a servo that the caller drives: it puts each scene into effect in turn and keeps the ticks. Time is

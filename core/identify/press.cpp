@@ -33,7 +33,7 @@ class Line {
 
 }  // namespace
 
-Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double period_s) {
+Result<Press> pressOf(std::span<const MotionRow> rows, const Vec3& along_W, double period_s) {
   const auto look = static_cast<std::size_t>(std::lround(kLookBack_s / period_s));
   const auto wayAt = [&](std::size_t row) { return (rows[row].p_WT - rows[row].p_WP).dot(along_W); };
   Line down, up;

@@ -21,6 +21,6 @@ struct Press {
 };
 
 /// along_W: of the press, length 1. Problems: it was not pressed, or only one way.
-Result<Press> pressOf(std::span<const Row> rows, const Vec3& along_W, double period_s);
+Result<Press> pressOf(std::span<const MotionRow> rows, const Vec3& along_W, double period_s);
 
 }  // namespace underact::identify

@@ -16,28 +16,28 @@ constexpr double kShortest_s = 0.004, kLongest_s = 0.016;  // over which it is l
 
 /// The share of the motion along along_W at a row, from as many rows about it as a direction needs; where the tip
 /// hardly moves, 1. A motion across it of one encoder step counts as none.
-double shareAt(std::span<const Row> rows, const Vec3& along_W, double period_s, std::size_t row) {
+double shareAt(std::span<const MotionRow> rows, const Vec3& along_W, double period_s, std::size_t row) {
   double along_m = 0.0, across_m = 0.0;
   for (double look_s = kShortest_s; look_s <= kLongest_s; look_s *= 2.0) {
     const auto look = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(look_s / period_s)));
     const std::size_t before = row < look ? 0 : row - look, after = std::min(rows.size() - 1, row + look);
-    const Vec3 way_W = rows[after].p_WT - rows[before].p_WT;
-    along_m = std::abs(way_W.dot(along_W));
-    across_m = (way_W - way_W.dot(along_W) * along_W).norm();
+    const Vec3 travel_W = rows[after].p_WT - rows[before].p_WT;
+    along_m = std::abs(travel_W.dot(along_W));
+    across_m = (travel_W - travel_W.dot(along_W) * along_W).norm();
     if (along_m + across_m > kTold_m) break;
   }
   if (!(along_m + across_m > kTold_m) || across_m <= kStep_m) return 1.0;
   return along_m / std::sqrt(along_m * along_m + across_m * across_m - kStep_m * kStep_m);
 }
 
-Window windowOf(std::span<const Row> rows, const Vec3& along_W, double period_s, std::size_t first) {
+Window windowOf(std::span<const MotionRow> rows, const Vec3& along_W, double period_s, std::size_t first) {
   Window window;
   window.period_s = period_s;
   window.first_row = first;
   const Vec3 p_WOrigin = rows.front().p_WT;
   window.origin_m = p_WOrigin.dot(along_W);
   for (std::size_t index = 0; index < rows.size(); ++index) {
-    const Row& row = rows[index];
+    const MotionRow& row = rows[index];
     window.friction_share.push_back(shareAt(rows, along_W, period_s, index));
     window.travel_m.push_back((row.p_WT - p_WOrigin).dot(along_W));
     window.target_m.push_back((row.p_WP - p_WOrigin).dot(along_W));
@@ -49,11 +49,11 @@ Window windowOf(std::span<const Row> rows, const Vec3& along_W, double period_s,
 
 }  // namespace
 
-Row rowOf(const servo::TickRecord& record) {
+MotionRow rowOf(const servo::TickRecord& record) {
   return {record.time_ns, record.q_rad, record.p_WT, record.p_WP, record.f_sent_T_W, record.cut_N > 0.0};
 }
 
-std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds) {
+std::vector<Window> windowsOf(std::span<const MotionRow> rows, const Vec3& along_W, double period_s, double seconds) {
   std::vector<Window> windows;
   const double length = std::round(seconds / period_s);
   const auto isNext = [&](std::size_t row) {

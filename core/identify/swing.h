@@ -10,7 +10,7 @@
 namespace underact::identify {
 
 /// The part of a tick that the measurement keeps.
-struct Row {
+struct MotionRow {
   std::int64_t time_ns = 0;  // of the sample
   arm::JointAngles q_rad{};
   Vec3 p_WT = Vec3::Zero();
@@ -20,7 +20,7 @@ struct Row {
 };
 
 /// is_cut: where the gate took off more than 0 N.
-Row rowOf(const servo::TickRecord& record);
+MotionRow rowOf(const servo::TickRecord& record);
 
 /// A stretch of a motion along one direction, its samples evenly spaced.
 struct Window {
@@ -37,7 +37,8 @@ struct Window {
 
 /// The rows in windows of `seconds`, projected on along_W (length 1), without those in which the tip hardly moves; no
 /// window spans a gap between two samples or a move of the target. period_s: of the servo.
-std::vector<Window> windowsOf(std::span<const Row> rows, const Vec3& along_W, double period_s, double seconds = 0.25);
+std::vector<Window> windowsOf(std::span<const MotionRow> rows, const Vec3& along_W, double period_s,
+                              double seconds = 0.25);
 
 // Windows in which the tip moves less are left out: ten encoder steps of the known arms.
 inline constexpr double kMinTravel_m = 0.5e-3;

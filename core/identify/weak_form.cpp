@@ -96,8 +96,8 @@ std::optional<Body> firstGuess(std::span<const Block> blocks) {
   return Body{std::max(found[0], kMinMass_kg), std::max(found[1], 0.0), std::max(found[2], 0.0), found[3]};
 }
 
-std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const Row> rows, const Vec3& along_W, double period_s,
-                                                     const Body& body, double asked_N_per_m) {
+std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const MotionRow> rows, const Vec3& along_W,
+                                                     double period_s, const Body& body, double asked_N_per_m) {
   // As long as the motion in one direction: the noise of the second derivative of encoder steps goes with 1 / length^2.
   const double block_s = 0.5 * kPi * std::sqrt(body.mass_kg / asked_N_per_m);
   const std::vector<Block> blocks = blocksOf(windowsOf(rows, along_W, period_s, kInfinity), block_s);

@@ -42,7 +42,7 @@ struct StiffnessFromSwing {
   std::size_t blocks = 0;
 };
 /// rows: of the swings along along_W.
-std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const Row> rows, const Vec3& along_W, double period_s,
-                                                     const Body& body, double asked_N_per_m);
+std::optional<StiffnessFromSwing> stiffnessFromSwing(std::span<const MotionRow> rows, const Vec3& along_W,
+                                                     double period_s, const Body& body, double asked_N_per_m);
 
 }  // namespace underact::identify

@@ -10,11 +10,11 @@
 namespace underact::json {
 
 /// The kinds of JSON values.
-enum class Kind { Null, Bool, Number, String, Array, Object };
+enum class JsonKind { Null, Bool, Number, String, Array, Object };
 
 /// A JSON value with the line and column it was read from, which every problem names. Files here are small.
 struct Value {
-  Kind kind = Kind::Null;
+  JsonKind kind = JsonKind::Null;
   bool boolean = false;
   double number = 0.0;                          // not finite where the text is too large for a double
   std::string text;                             // of a string; of a number as it stands there

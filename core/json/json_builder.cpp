@@ -15,20 +15,20 @@ constexpr std::size_t kMaxValues = 1'000'000;  // about 150 bytes each
 }  // namespace
 
 bool Builder::Bool(bool value) {
-  Value made = start(Kind::Bool, source_.Tell() - (value ? 4U : 5U));
+  Value made = start(JsonKind::Bool, source_.Tell() - (value ? 4U : 5U));
   made.boolean = value;
   return add(std::move(made));
 }
 
 bool Builder::Uint(unsigned) {
-  Value made = start(Kind::Number, source_.numberStart());
+  Value made = start(JsonKind::Number, source_.numberStart());
   made.text = source_.number();
   made.number = numberOf(made.text);
   return add(std::move(made));
 }
 
 bool Builder::String(const char* text, unsigned length, bool) {
-  Value made = start(Kind::String, source_.stringStart());
+  Value made = start(JsonKind::String, source_.stringStart());
   made.text.assign(text, length);
   return isWhole(made.text) && add(std::move(made));
 }
@@ -40,7 +40,7 @@ bool Builder::Key(const char* text, unsigned length, bool) {
   return isWhole(object.keys.back());
 }
 
-Value Builder::start(Kind kind, std::size_t offset) {
+Value Builder::start(JsonKind kind, std::size_t offset) {
   Value value;
   value.kind = kind;
   std::tie(value.line, value.column) = places_.at(offset);
@@ -57,7 +57,7 @@ bool Builder::add(Value value) {
   return true;
 }
 
-bool Builder::open(Kind kind) {
+bool Builder::open(JsonKind kind) {
   if (open_.size() >= kDeepest)
     return refuse(source_.Tell(),
                   phrase(TRANSLATE_NOOP("problem", "Lists and objects are nested more than 64 levels deep here.")));

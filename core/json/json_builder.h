@@ -27,7 +27,7 @@ class Builder {
   const Stop& refusal() const { return refusal_; }
 
   // RapidJSON's handler, called in the order of the text. False stops the parse; refusal() says why.
-  bool Null() { return add(start(Kind::Null, source_.Tell() - 4)); }
+  bool Null() { return add(start(JsonKind::Null, source_.Tell() - 4)); }
   bool Bool(bool value);
   bool Uint(unsigned);  // the lone 0 that Source shows for every number
   bool Int(int) { return false; }
@@ -37,15 +37,15 @@ class Builder {
   bool RawNumber(const char*, unsigned, bool) { return false; }
   bool String(const char* text, unsigned length, bool);
   bool Key(const char* text, unsigned length, bool);
-  bool StartObject() { return open(Kind::Object); }
-  bool StartArray() { return open(Kind::Array); }
+  bool StartObject() { return open(JsonKind::Object); }
+  bool StartArray() { return open(JsonKind::Array); }
   bool EndObject(unsigned) { return close(); }
   bool EndArray(unsigned) { return close(); }
 
  private:
-  Value start(Kind kind, std::size_t offset);
+  Value start(JsonKind kind, std::size_t offset);
   bool add(Value value);
-  bool open(Kind kind);
+  bool open(JsonKind kind);
   bool close();
   bool isWhole(std::string_view text);
   bool refuse(std::size_t offset, Sentence sentence);

@@ -118,19 +118,19 @@ void ObjectReader::refuseLater(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) refuse(key, notYet("\"" + key + "\""));
 }
 
-Sentence kindName(Kind kind) {
+Sentence kindName(JsonKind kind) {
   switch (kind) {
-    case Kind::Null:
+    case JsonKind::Null:
       return "null";
-    case Kind::Bool:
+    case JsonKind::Bool:
       return phrase(TRANSLATE_NOOP("problem", "true or false"));
-    case Kind::Number:
+    case JsonKind::Number:
       return phrase(TRANSLATE_NOOP("problem", "a number"));
-    case Kind::String:
+    case JsonKind::String:
       return phrase(TRANSLATE_NOOP("problem", "text"));
-    case Kind::Array:
+    case JsonKind::Array:
       return phrase(TRANSLATE_NOOP("problem", "a list"));
-    case Kind::Object:
+    case JsonKind::Object:
       return phrase(TRANSLATE_NOOP("problem", "an object in { }"));
   }
   return "null";
@@ -140,7 +140,7 @@ Sentence notYet(const std::string& what) {
   return phrase(TRANSLATE_NOOP("problem", "%1 is not in this version of Underact."), {what});
 }
 
-bool isKind(const Value& value, Kind kind, const std::string& path, const Sentence& expected, Findings& findings) {
+bool isKind(const Value& value, JsonKind kind, const std::string& path, const Sentence& expected, Findings& findings) {
   if (value.kind == kind) return true;
   findings.add(value, path, phrase(kMustBe, {expected, kindName(value.kind)}));
   return false;
@@ -149,7 +149,7 @@ bool isKind(const Value& value, Kind kind, const std::string& path, const Senten
 void refuseWord(const Value& value, const std::string& path, const std::vector<std::string>& words,
                 Findings& findings) {
   const Sentence expected = listed(words);
-  if (isKind(value, Kind::String, path, expected, findings))
+  if (isKind(value, JsonKind::String, path, expected, findings))
     findings.add(value, path, phrase(kMustBe, {expected, shown(value.text)}));
 }
 
@@ -157,7 +157,7 @@ namespace {
 
 /// A list of three; the path of the element at index is path[index].
 bool isTriple(const Value& value, const std::string& path, const Sentence& expected, Findings& findings) {
-  if (!isKind(value, Kind::Array, path, expected, findings)) return false;
+  if (!isKind(value, JsonKind::Array, path, expected, findings)) return false;
   if (value.items.size() == 3) return true;
   findings.add(value, path,
                phrase(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
@@ -176,7 +176,7 @@ bool readThree(const Value& list, const std::string& path, Vec3& into, Findings&
     const Value& item = list.items[static_cast<std::size_t>(index)];
     const std::string item_path = elementOf(path, index);
     findings.remember(item_path, item);
-    if (isKind(item, Kind::Number, item_path, kindName(Kind::Number), findings)) {
+    if (isKind(item, JsonKind::Number, item_path, kindName(JsonKind::Number), findings)) {
       into[index] = item.number;
     } else {
       all = false;
@@ -188,7 +188,7 @@ bool readThree(const Value& list, const std::string& path, Vec3& into, Findings&
 }  // namespace
 
 void readNumber(const Value& value, const std::string& path, double& into, Findings& findings) {
-  if (isKind(value, Kind::Number, path, kindName(Kind::Number), findings)) into = value.number;
+  if (isKind(value, JsonKind::Number, path, kindName(JsonKind::Number), findings)) into = value.number;
 }
 
 void readNumber(const Value& value, const std::string& path, Vec3& into, Findings& findings) {
@@ -216,7 +216,7 @@ void readNumber(const Value& value, const std::string& path, Mat3& into, Finding
 }
 
 void readText(const Value& value, const std::string& path, std::string& into, Findings& findings) {
-  if (isKind(value, Kind::String, path, phrase(TRANSLATE_NOOP("problem", "text in double quotes")), findings))
+  if (isKind(value, JsonKind::String, path, phrase(TRANSLATE_NOOP("problem", "text in double quotes")), findings))
     into = value.text;
 }
 

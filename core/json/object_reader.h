@@ -74,13 +74,13 @@ class ObjectReader {
 };
 
 /// "a number", "a list", ...
-Sentence kindName(Kind kind);
+Sentence kindName(JsonKind kind);
 
 /// The sentence for what the scene reference defines and this version does not support.
 Sentence notYet(const std::string& what);
 
 /// False, and a problem, where the value is of another kind. expected: "a number, as in 0.5".
-bool isKind(const Value& value, Kind kind, const std::string& path, const Sentence& expected, Findings& findings);
+bool isKind(const Value& value, JsonKind kind, const std::string& path, const Sentence& expected, Findings& findings);
 
 /// The problem of a value that is none of the words.
 void refuseWord(const Value& value, const std::string& path, const std::vector<std::string>& words, Findings& findings);
@@ -99,7 +99,7 @@ bool readWord(const Value& value, const std::string& path, const Word<Enum> (&wo
   std::vector<std::string> known;
   for (const Word<Enum>& word : words) {
     known.emplace_back(word.word);
-    if (value.kind != Kind::String || value.text != word.word) continue;
+    if (value.kind != JsonKind::String || value.text != word.word) continue;
     into = word.value;
     return true;
   }

@@ -4,19 +4,19 @@ namespace underact::json {
 
 std::string textOf(const Value& value) {
   switch (value.kind) {
-    case Kind::Null:
+    case JsonKind::Null:
       return "null";
-    case Kind::Bool:
+    case JsonKind::Bool:
       return value.boolean ? "true" : "false";
-    case Kind::Number:
+    case JsonKind::Number:
       return numberText(value.number);
-    case Kind::String:
+    case JsonKind::String:
       return quotedText(value.text);
-    case Kind::Array:
-    case Kind::Object:
+    case JsonKind::Array:
+    case JsonKind::Object:
       break;
   }
-  const bool is_object = value.kind == Kind::Object;
+  const bool is_object = value.kind == JsonKind::Object;
   std::string text(is_object ? "{" : "[");
   for (std::size_t index = 0; index < value.items.size(); ++index) {
     if (index > 0) text += ", ";

@@ -13,31 +13,31 @@ constexpr double kNotReached_m = 1e-6;
 
 }  // namespace
 
-Loop::Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
+SimulatedLoop::SimulatedLoop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz)
     : plant_(plant), arm_(sim::restingState(plant, p_WT)), period_ns_(1'000'000'000 / rate_hz) {
   setpoint_.p_WT = arm_.p_WT;
   input_.engage = true;
   input_.restart = true;
 }
 
-const tick::TickReport& Loop::tick(const tick::TickProgram& program, tick::TickState& state) {
+const tick::TickReport& SimulatedLoop::tick(const tick::TickProgram& program, tick::TickState& state) {
   move();
   return think(program, state);
 }
 
-void Loop::move() {
+void SimulatedLoop::move() {
   arm_ = advance(plant_, arm_, report_.force.f_T_W(), setpoint_, period_ns_, report_.force.m_T_W());
   input_.sample.time_ns += period_ns_;
   input_.sample.q_rad = shownAngles(plant_, arm_);
 }
 
-const tick::TickReport& Loop::think(const tick::TickProgram& program, tick::TickState& state) {
+const tick::TickReport& SimulatedLoop::think(const tick::TickProgram& program, tick::TickState& state) {
   step(program, input_, state, report_);
   input_.restart = false;
   return report_;
 }
 
-double Loop::period_s() const {
+double SimulatedLoop::period_s() const {
   return kSecondPerNanosecond * static_cast<double>(period_ns_);
 }
 

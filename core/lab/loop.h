@@ -8,10 +8,10 @@ namespace underact::lab {
 
 /// The simulated arm under the servo's own tick, without a thread: a tick is a period of the arm's clock, and the
 /// results are the same every time.
-class Loop {
+class SimulatedLoop {
  public:
   /// The tip rests at p_WT, and the hand wants it there. rate_hz: 1 to 1e6.
-  Loop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz);
+  SimulatedLoop(const sim::Plant& plant, const Vec3& p_WT, int rate_hz);
   /// One period: the arm moves under the force of the last tick, then the servo ticks.
   const tick::TickReport& tick(const tick::TickProgram& program, tick::TickState& state);
   // Its two halves, to be timed apart.

@@ -76,7 +76,7 @@ double secondsFor(const ArmStep& step) {
 
 void record(const Programs& programs, const sim::Plant& plant, double seconds, ArmStep& step) {
   const auto& [before, after] = programs;
-  Loop loop(plant, step.p_WBefore, step.rate_hz);
+  SimulatedLoop loop(plant, step.p_WBefore, step.rate_hz);
   tick::TickState rest = makeState(before), state = makeState(after);
   for (int tick = 0; tick < static_cast<int>(kBefore_s * step.rate_hz); ++tick) loop.tick(before, rest);
   carryOver(rest, state, tick::Carry::ArmAndMovedLaws);

@@ -47,7 +47,9 @@ std::span<const Layer> layers() {
                       "The motions of the tip for joint rotations of magnitude 0.25 rad (manipulability ellipsoid).")},
       {"force_ellipsoid", &Layers::force_ellipsoid, Group::Teaching, TRANSLATE_NOOP("layer", "F&orce ellipsoid (f)"),
        "Alt+9",
-       TRANSLATE_NOOP("layer", "The forces for joint torques of magnitude 0.05 N m, to the scale of the force arrow.")},
+       TRANSLATE_NOOP("layer",
+                      "The forces for joint torques of one magnitude, which the panel Kinematics names, to the scale "
+                      "of the force arrow.")},
       {"wires", &Layers::wires, Group::Mesh, TRANSLATE_NOOP("layer", "Mes&h: triangles"), "Alt+T",
        TRANSLATE_NOOP("layer", "The edges of all triangles of a mesh as drawn.")},
       {"section", &Layers::section, Group::Mesh, TRANSLATE_NOOP("layer", "Mesh: &cut open"), "Alt+C",

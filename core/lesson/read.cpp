@@ -31,7 +31,8 @@ std::vector<std::string> readNames(ObjectReader& object, const char* key, std::s
   const json::Value* const list = object.find(key);
   if (list == nullptr) return names;
   const std::string path = object.pathOf(key);
-  if (!isKind(*list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of names")), object.findings()))
+  if (!isKind(*list, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of names")),
+              object.findings()))
     return names;
   const std::vector<std::string> all(known.begin(), known.end());
   for (std::size_t index = 0; index < list->items.size(); ++index) {
@@ -53,7 +54,8 @@ void readChecks(ObjectReader& object, std::vector<Check>& into) {
   const json::Value* const list = object.find("checks");
   if (list == nullptr) return;
   const std::string path = object.pathOf("checks");
-  if (!isKind(*list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of checks")), object.findings()))
+  if (!isKind(*list, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of checks")),
+              object.findings()))
     return;
   if (list->items.size() > kMaxChecks)
     object.findings().add(
@@ -68,7 +70,7 @@ bool readContinues(ObjectReader& object, bool is_first) {
   const json::Value* const value = object.find("continues");
   if (value == nullptr) return continues;
   const std::string path = object.pathOf("continues");
-  if (isKind(*value, json::Kind::Bool, path, phrase(TRANSLATE_NOOP("problem", "true or false")), object.findings()))
+  if (isKind(*value, json::JsonKind::Bool, path, phrase(TRANSLATE_NOOP("problem", "true or false")), object.findings()))
     continues = value->boolean;
   if (continues && is_first)
     object.findings().add(*value, path, phrase(TRANSLATE_NOOP("problem", "The first step has none before it.")));
@@ -79,7 +81,7 @@ void readPose(ObjectReader& object, std::vector<double>& into) {
   const json::Value* const list = object.find("pose_deg");
   if (list == nullptr) return;
   const std::string path = object.pathOf("pose_deg");
-  if (!isKind(*list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of numbers")),
+  if (!isKind(*list, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of numbers")),
               object.findings()))
     return;
   if (list->items.empty() || list->items.size() > arm::kMaxJoints)
@@ -96,7 +98,7 @@ void readPose(ObjectReader& object, std::vector<double>& into) {
 Step readStep(const json::Value& value, const std::string& path, bool is_first, Findings& findings) {
   Step step;
   step.place = {findings.file(), value.line, value.column, path};
-  if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "a step in { }")), findings))
+  if (!isKind(value, json::JsonKind::Object, path, phrase(TRANSLATE_NOOP("problem", "a step in { }")), findings))
     return step;
   ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a step")), findings);
   step.title = readLine(object, "title", true);
@@ -122,7 +124,7 @@ void readSteps(ObjectReader& object, std::vector<Step>& into) {
   const json::Value* const list = object.find("steps", true);
   Findings& findings = object.findings();
   if (list == nullptr ||
-      !isKind(*list, json::Kind::Array, "steps", phrase(TRANSLATE_NOOP("problem", "a list of steps")), findings))
+      !isKind(*list, json::JsonKind::Array, "steps", phrase(TRANSLATE_NOOP("problem", "a list of steps")), findings))
     return;
   if (list->items.empty() || list->items.size() > kMaxSteps)
     findings.add(*list, "steps",
@@ -136,7 +138,7 @@ void readMinutes(ObjectReader& object, double& minutes) {
   const json::Value* const value = object.find("minutes");
   if (value == nullptr) return;
   readNumber(*value, "minutes", minutes, object.findings());
-  if (value->kind == json::Kind::Number && !(minutes > 0.0))
+  if (value->kind == json::JsonKind::Number && !(minutes > 0.0))
     object.findings().add(*value, "minutes", phrase(TRANSLATE_NOOP("problem", "This must be above 0.")));
 }
 
@@ -152,7 +154,7 @@ Lesson readWhole(const json::Value& root, Findings& findings) {
   readMinutes(object, lesson.minutes);
   readSteps(object, lesson.steps);
   if (const json::Value* const schema = object.find("$schema")) {  // for editors; says nothing about the lesson
-    isKind(*schema, json::Kind::String, "$schema", phrase(TRANSLATE_NOOP("problem", "text in double quotes")),
+    isKind(*schema, json::JsonKind::String, "$schema", phrase(TRANSLATE_NOOP("problem", "text in double quotes")),
            findings);
   }
   object.finish();
@@ -165,7 +167,8 @@ Result<Lesson> readLesson(std::string_view text, const std::string& file_name) {
   const Result<json::Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "", phrase(TRANSLATE_NOOP("problem", "an object in { }")), findings))
+  if (!isKind(root.value(), json::JsonKind::Object, "", phrase(TRANSLATE_NOOP("problem", "an object in { }")),
+              findings))
     return findings.take();
   Lesson lesson = readWhole(root.value(), findings);
   Problems problems = findings.take();

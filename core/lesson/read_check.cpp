@@ -18,7 +18,7 @@ std::optional<double> readAmount(ObjectReader& object, const char* key, bool req
   const std::string path = object.pathOf(key);
   double number = kNotANumber;
   readNumber(*value, path, number, object.findings());
-  if (value->kind != json::Kind::Number) return {};
+  if (value->kind != json::JsonKind::Number) return {};
   if (!std::isfinite(number)) {
     object.findings().add(*value, path, phrase(TRANSLATE_NOOP("problem", "This is not a finite number.")));
   } else if (number < min) {
@@ -63,7 +63,7 @@ bool isOneNumber(const Measure& measure) {
 std::vector<double> readPlace(const Value& value, const std::string& path, const Measure& measure, Findings& findings) {
   if (measure.quantity == nullptr) return {0.0};  // said already
   if (isOneNumber(measure)) {
-    if (!isKind(value, json::Kind::Number, path, "a number", findings)) return {0.0};
+    if (!isKind(value, json::JsonKind::Number, path, "a number", findings)) return {0.0};
     if (!std::isfinite(value.number))
       findings.add(value, path, phrase(TRANSLATE_NOOP("problem", "This is not a finite number.")));
     return {value.number};
@@ -74,20 +74,20 @@ std::vector<double> readPlace(const Value& value, const std::string& path, const
   const std::size_t fewest = may_be_fewer ? 1 : std::min(parts, kDefaultJoints);
   const std::string count = std::to_string(may_be_fewer ? parts : fewest);
   const Sentence expected = phrase(TRANSLATE_NOOP("problem", "a list of %1 numbers"), {count});
-  if (!isKind(value, json::Kind::Array, path, expected, findings)) return {0.0};
+  if (!isKind(value, json::JsonKind::Array, path, expected, findings)) return {0.0};
   if (value.items.size() > parts || value.items.size() < fewest)
     findings.add(value, path,
                  phrase(TRANSLATE_NOOP("problem", "This must be %1; here it has %2."),
                         {expected, std::to_string(value.items.size())}));
   std::vector<double> place;
   for (const Value& item : value.items) {
-    const bool is_whichever = item.kind == json::Kind::Null && measure.quantity->apart != DistanceMetric::Angle;
+    const bool is_whichever = item.kind == json::JsonKind::Null && measure.quantity->apart != DistanceMetric::Angle;
     if (!is_whichever)
-      isKind(item, json::Kind::Number, path, phrase(TRANSLATE_NOOP("problem", "a number, or null for any value")),
+      isKind(item, json::JsonKind::Number, path, phrase(TRANSLATE_NOOP("problem", "a number, or null for any value")),
              findings);
-    if (item.kind == json::Kind::Number && !std::isfinite(item.number))
+    if (item.kind == json::JsonKind::Number && !std::isfinite(item.number))
       findings.add(item, path, phrase(TRANSLATE_NOOP("problem", "This is not a finite number.")));
-    place.push_back(item.kind == json::Kind::Number ? item.number : kNotANumber);
+    place.push_back(item.kind == json::JsonKind::Number ? item.number : kNotANumber);
   }
   if (may_be_fewer) place.resize(parts, kNotANumber);
   return place;
@@ -120,12 +120,12 @@ std::vector<Criterion> readMeanwhile(ObjectReader& object) {
   std::vector<Criterion> all;
   const Value* const list = object.find("while");
   const std::string path = object.pathOf("while");
-  if (list == nullptr || !isKind(*list, json::Kind::Array, path,
+  if (list == nullptr || !isKind(*list, json::JsonKind::Array, path,
                                  phrase(TRANSLATE_NOOP("problem", "a list of conditions")), object.findings()))
     return all;
   for (std::size_t index = 0; index < std::min(list->items.size(), kMaxChecks); ++index) {
     const std::string at = path + "[" + std::to_string(index) + "]";
-    if (!isKind(list->items[index], json::Kind::Object, at, phrase(TRANSLATE_NOOP("problem", "a condition in { }")),
+    if (!isKind(list->items[index], json::JsonKind::Object, at, phrase(TRANSLATE_NOOP("problem", "a condition in { }")),
                 object.findings()))
       continue;
     ObjectReader condition(list->items[index], at, phrase(TRANSLATE_NOOP("problem", "a condition")), object.findings());
@@ -139,7 +139,8 @@ Visit readVisit(ObjectReader& object) {
   Visit visit{readMeasure(object, true), {}, readAmount(object, "within", true, 0.0).value_or(0.0)};
   const Value& list = *object.find("visit");
   const std::string path = object.pathOf("visit");
-  if (!isKind(list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of values")), object.findings()))
+  if (!isKind(list, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of values")),
+              object.findings()))
     return visit;
   if (list.items.empty() || list.items.size() > kMaxPlaces)
     object.findings().add(list, path,
@@ -196,7 +197,7 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   ask.question = readLine(object, "question", true);
   const Value& list = *object.find("choices");
   const std::string path = object.pathOf("choices");
-  if (isKind(list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of answers")),
+  if (isKind(list, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of answers")),
              object.findings())) {
     if (list.items.size() < 2 || list.items.size() > 9)
       object.findings().add(list, path, phrase(TRANSLATE_NOOP("problem", "Give 2 to 9 answers to choose from.")));
@@ -234,7 +235,7 @@ Task readTask(ObjectReader& object, const Value& value) {
 
 Check readCheck(const Value& value, const std::string& path, Findings& findings) {
   Check check{Hold{}, {}, {}, {findings.file(), value.line, value.column, path}};
-  if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "a check in { }")), findings))
+  if (!isKind(value, json::JsonKind::Object, path, phrase(TRANSLATE_NOOP("problem", "a check in { }")), findings))
     return check;
   ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a check")), findings);
   check.task = readTask(object, value);

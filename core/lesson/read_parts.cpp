@@ -9,7 +9,8 @@ namespace underact::lesson {
 std::string readName(const json::Value& value, const std::string& path, const std::vector<std::string>& known,
                      const Sentence& what, Findings& findings) {
   std::string name;
-  if (!isKind(value, json::Kind::String, path, phrase(TRANSLATE_NOOP("problem", "the name of a %1"), {what}), findings))
+  if (!isKind(value, json::JsonKind::String, path, phrase(TRANSLATE_NOOP("problem", "the name of a %1"), {what}),
+              findings))
     return name;
   readText(value, path, name, findings);
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
@@ -28,7 +29,7 @@ std::string readLine(ObjectReader& object, const char* key, bool required) {
   if (value == nullptr) return line;
   readText(*value, object.pathOf(key), line, object.findings());
   const bool is_blank = line.find_first_not_of(" \t\r\n") == std::string::npos;
-  if (value->kind == json::Kind::String && (is_blank || line.find('\n') != std::string::npos))
+  if (value->kind == json::JsonKind::String && (is_blank || line.find('\n') != std::string::npos))
     object.findings().add(*value, object.pathOf(key),
                           phrase(TRANSLATE_NOOP("problem", "This must be one line of text, not empty.")));
   return line;
@@ -40,8 +41,8 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
   if (value == nullptr) return prose;
   const std::string path = object.pathOf(key);
   Findings& findings = object.findings();
-  if (value->kind != json::Kind::Array) {
-    if (isKind(*value, json::Kind::String, path,
+  if (value->kind != json::JsonKind::Array) {
+    if (isKind(*value, json::JsonKind::String, path,
                phrase(TRANSLATE_NOOP("problem", "text in double quotes, or a list of its lines")), findings))
       prose = value->text;
   } else {
@@ -51,7 +52,7 @@ std::string readProse(ObjectReader& object, const char* key, bool required) {
       prose += line + "\n";
     }
   }
-  if (required && prose.find_first_not_of(" \t\r\n") == std::string::npos && value->kind != json::Kind::Null)
+  if (required && prose.find_first_not_of(" \t\r\n") == std::string::npos && value->kind != json::JsonKind::Null)
     findings.add(*value, path, phrase(TRANSLATE_NOOP("problem", "The text is empty.")));
   return prose;
 }

@@ -43,7 +43,7 @@ Closed around(const Manipulator& m, const ClosedForm& form, const Pose& X_WT,
   Closed closed{near, std::sqrt(a * a + b * b) > kNoDirection * size};
   if (closed.is_unique)
     closed.theta[form.turning] = turnTo(m.chain.joints[form.turning], atan2Of(b, a), near[form.turning]);
-  if (form.kind == Kind::Cylinder) closed.theta[form.sliding] = slideTo(m, form.sliding, X_WT.translation());
+  if (form.kind == ClosedFormKind::Cylinder) closed.theta[form.sliding] = slideTo(m, form.sliding, X_WT.translation());
   return closed;
 }
 
@@ -78,14 +78,14 @@ Closed onSphere(const Manipulator& m, const ClosedForm& form, const Pose& X_WT,
 Closed closedForm(const Manipulator& m, const Pose& X_WT, const Values& near) noexcept {
   const ClosedForm& form = *m.closed;
   switch (form.kind) {
-    case Kind::Circle:
-    case Kind::Cylinder:
+    case ClosedFormKind::Circle:
+    case ClosedFormKind::Cylinder:
       return around(m, form, X_WT, near);
-    case Kind::Sphere:
+    case ClosedFormKind::Sphere:
       return onSphere(m, form, X_WT, near);
-    case Kind::Plane:
+    case ClosedFormKind::Plane:
       return {{slideTo(m, 0, X_WT.translation()), slideTo(m, 1, X_WT.translation())}, true};
-    case Kind::Line:
+    case ClosedFormKind::Line:
       return {{slideTo(m, 0, X_WT.translation())}, true};
   }
   return {near, false};

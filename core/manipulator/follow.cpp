@@ -79,10 +79,10 @@ void searchInBackground(const Manipulator& m, const Pose& X_WT, double dt_s, Sta
 void slew(const Vec3& p_WV, double dt_s, const State& state, Followed& followed) noexcept UNDERACT_REAL_TIME {
   followed.p_WP = p_WV;
   if (!state.begun || !(dt_s > 0.0)) return;
-  const Vec3 way_W = p_WV - state.p_WP;
-  const double far_m = way_W.norm(), allowed_m = kSlew_m_per_s * dt_s;
+  const Vec3 offset_W = p_WV - state.p_WP;
+  const double far_m = offset_W.norm(), allowed_m = kSlew_m_per_s * dt_s;
   if (far_m <= allowed_m) return;
-  followed.p_WP = state.p_WP + (allowed_m / far_m) * way_W;
+  followed.p_WP = state.p_WP + (allowed_m / far_m) * offset_W;
   followed.slewing = true;
 }
 

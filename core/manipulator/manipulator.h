@@ -23,12 +23,12 @@ enum class Method : std::uint8_t { ClosedForm, Iterative };
 enum class ForceLaw : std::uint8_t { Energy, Thesis52 };
 
 /// The chains whose joints of least energy are known in closed form.
-enum class Kind : std::uint8_t { Circle, Sphere, Cylinder, Line, Plane };
+enum class ClosedFormKind : std::uint8_t { Circle, Sphere, Cylinder, Line, Plane };
 
 /// The geometry of a closed form: centre C (a point on the axis), axis a, and for a rotating end effector its position
 /// (u_W) and the direction of its z (z_W) at home, relative to the axis.
 struct ClosedForm {
-  Kind kind = Kind::Line;
+  ClosedFormKind kind = ClosedFormKind::Line;
   std::size_t turning = 0;  // the revolute joint (Circle, Cylinder)
   std::size_t sliding = 0;  // and the prismatic one
   Vec3 p_WC = Vec3::Zero();

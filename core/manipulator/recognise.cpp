@@ -25,7 +25,8 @@ bool unlimited(const Joint& joint) {
 }
 
 /// Circle and cylinder; none where the tip does not move and has no orientation to follow.
-std::optional<ClosedForm> circularForm(const Manipulator& m, std::size_t turning, std::size_t sliding, Kind kind) {
+std::optional<ClosedForm> circularForm(const Manipulator& m, std::size_t turning, std::size_t sliding,
+                                       ClosedFormKind kind) {
   if (m.orientation != Orientation::None && m.orientation != Orientation::Axis) return std::nullopt;
   const Joint& joint = m.chain.joints[turning];
   ClosedForm form{kind, turning, sliding, joint.p_WJ, joint.axis_W};
@@ -41,7 +42,7 @@ std::optional<ClosedForm> sphericalForm(const Manipulator& m) {
   const double near_m = kSame * m.reach_m;
   const Vec3 between_W = two.p_WJ - one.p_WJ;
   if (std::abs(between_W.dot(one.axis_W.cross(two.axis_W))) > near_m) return std::nullopt;
-  ClosedForm form{Kind::Sphere, 0, 1, one.p_WJ + between_W.dot(one.axis_W) * one.axis_W, one.axis_W};
+  ClosedForm form{ClosedFormKind::Sphere, 0, 1, one.p_WJ + between_W.dot(one.axis_W) * one.axis_W, one.axis_W};
   form.radial_W = m.chain.X_WT_home.translation() - form.p_WC;
   const double radius_m = form.radial_W.norm();
   if (radius_m <= near_m || std::abs(form.radial_W.dot(two.axis_W)) > near_m) return std::nullopt;
@@ -57,14 +58,15 @@ std::optional<ClosedForm> closedFormOf(const Manipulator& m) {
   const std::vector<Joint>& joints = m.chain.joints;
   const bool equal = m.kp_N_per_m.x() == m.kp_N_per_m.y() && m.kp_N_per_m.y() == m.kp_N_per_m.z();
   if (!equal || m.bends || joints.empty() || joints.size() > 2) return std::nullopt;
-  if (joints.size() == 1) return turns(joints[0]) ? circularForm(m, 0, 0, Kind::Circle) : ClosedForm{Kind::Line};
+  if (joints.size() == 1)
+    return turns(joints[0]) ? circularForm(m, 0, 0, ClosedFormKind::Circle) : ClosedForm{ClosedFormKind::Line};
   if (turns(joints[0]) && turns(joints[1])) return sphericalForm(m);
   if (!turns(joints[0]) && !turns(joints[1])) {
-    return crossing(joints[0], joints[1]) ? std::optional(ClosedForm{Kind::Plane}) : std::nullopt;
+    return crossing(joints[0], joints[1]) ? std::optional(ClosedForm{ClosedFormKind::Plane}) : std::nullopt;
   }
   const std::size_t turning = turns(joints[0]) ? 0 : 1;
   if (!parallel(joints[0], joints[1])) return std::nullopt;
-  return circularForm(m, turning, 1 - turning, Kind::Cylinder);
+  return circularForm(m, turning, 1 - turning, ClosedFormKind::Cylinder);
 }
 
 }  // namespace underact::manipulator

@@ -16,12 +16,12 @@ namespace {
 class Sheared {
  public:
   Sheared(const Vec3& from_M, const Vec3& to_M) noexcept UNDERACT_REAL_TIME : from_M_(from_M) {
-    const Vec3 way_M = to_M - from_M;
+    const Vec3 span_M = to_M - from_M;
     for (Eigen::Index axis = 1; axis < 3; ++axis) {
-      if (std::abs(way_M[axis]) > std::abs(way_M[along_])) along_ = axis;
+      if (std::abs(span_M[axis]) > std::abs(span_M[along_])) along_ = axis;
     }
-    length_ = way_M[along_];
-    shear_ = {way_M[(along_ + 1) % 3] / length_, way_M[(along_ + 2) % 3] / length_};
+    length_ = span_M[along_];
+    shear_ = {span_M[(along_ + 1) % 3] / length_, span_M[(along_ + 2) % 3] / length_};
   }
   /// The two coordinates across the path, and the share along it.
   Vec3 of(const Vec3& p_M) const noexcept UNDERACT_REAL_TIME {
@@ -133,8 +133,8 @@ unsigned metBy(const Node& node, const Vec3& from_M, const Vec3& to_M, bool is_l
 /// Calls poll(face) for the faces whose boxes the way may meet. is_long: the way is much longer than a tick's. Whether
 /// these were all.
 template <class Visit>
-bool eachOnWay(const Surface& surface, const Vec3& from_M, const Vec3& to_M, bool is_long,
-               const Visit& visit) noexcept UNDERACT_REAL_TIME {
+bool eachOnSegment(const Surface& surface, const Vec3& from_M, const Vec3& to_M, bool is_long,
+                   const Visit& visit) noexcept UNDERACT_REAL_TIME {
   std::array<std::int32_t, (kChildren - 1) * kMaxDepth + kChildren> stack;
   std::size_t waiting = 0;
   stack[waiting++] = 0;
@@ -160,7 +160,7 @@ int netCrossings(const Surface& surface, const Vec3& from_M, const Vec3& to_M) n
   if (from_M == to_M) return 0;
   const Sheared sheared(from_M, to_M);
   int sum = 0;
-  eachOnWay(surface, from_M, to_M, true, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+  eachOnSegment(surface, from_M, to_M, true, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
     sum += shareAt(surface, face, CrossingDirection::Outwards, sheared, 0.0) < kInfinity ? 1 : 0;
     sum -= shareAt(surface, face, CrossingDirection::Inwards, sheared, 0.0) < kInfinity ? 1 : 0;
   });
@@ -183,7 +183,7 @@ Crossing firstCrossing(const Surface& surface, CrossingDirection direction, cons
   const Sheared sheared(from_M, to_M);
   const double slack = sheared.slack(surface);
   double first = kInfinity;
-  crossing.is_whole = eachOnWay(surface, from_M, to_M, false, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
+  crossing.is_whole = eachOnSegment(surface, from_M, to_M, false, [&](std::int32_t face) noexcept UNDERACT_REAL_TIME {
     const double share = shareAt(surface, face, direction, sheared, slack);
     if (share < first) {
       first = share;

@@ -56,7 +56,7 @@ void fillField(const Field<Access>& field, const servo::TickRecord& record, Row&
       row.word(number);
     } else {
       if constexpr (std::is_integral_v<Number>) {
-        if (field.column.kind != Kind::Real && !isTime(field.column)) return row.integer(+number);
+        if (field.column.kind != NumberKind::Real && !isTime(field.column)) return row.integer(+number);
       }
       row.number(isTime(field.column) ? kSecondPerNanosecond * static_cast<double>(number) : scaled(field, number));
     }

@@ -76,13 +76,13 @@ void packFields(const auto& fields, const Row& row, Packer& packer, const Beside
   const auto pack_field = [&](const auto& field) {
     const auto put = [&](auto number) {
       switch (field.column.kind) {
-        case Kind::Byte:
+        case NumberKind::Byte:
           return packer.byte(static_cast<std::uint8_t>(number));
-        case Kind::Unsigned:
+        case NumberKind::Unsigned:
           return packer.unsigned32(static_cast<std::uint32_t>(number));
-        case Kind::Integer:
+        case NumberKind::Integer:
           return packer.integer(static_cast<std::int64_t>(number));
-        case Kind::Real:
+        case NumberKind::Real:
           return packer.real(scaled(field, number));
       }
     };
@@ -111,13 +111,13 @@ void unpackFields(const auto& fields, Unpacker& unpacker, Row& row) {
   const auto unpack_field = [&]<class Access>(const Field<Access>& field) {
     const auto take = [&]<class Number>(Number& number) {
       switch (field.column.kind) {
-        case Kind::Byte:
+        case NumberKind::Byte:
           return void(number = fromFile<Number>(unpacker.byte()));
-        case Kind::Unsigned:
+        case NumberKind::Unsigned:
           return void(number = fromFile<Number>(unpacker.unsigned32()));
-        case Kind::Integer:
+        case NumberKind::Integer:
           return void(number = fromFile<Number>(unpacker.integer()));
-        case Kind::Real:
+        case NumberKind::Real:
           const double value = unpacker.real();
           return void(number = fromFile<Number>(field.scale == 1.0 ? value : value / field.scale));
       }

@@ -9,15 +9,15 @@ namespace {
 
 constexpr hsize_t kMaxStoreRows = hsize_t{1} << 40;
 
-hid_t typeOf(Kind kind) {
+hid_t typeOf(NumberKind kind) {
   switch (kind) {
-    case Kind::Byte:
+    case NumberKind::Byte:
       return H5T_STD_U8LE;
-    case Kind::Unsigned:
+    case NumberKind::Unsigned:
       return H5T_STD_U32LE;
-    case Kind::Integer:
+    case NumberKind::Integer:
       return H5T_STD_I64LE;
-    case Kind::Real:
+    case NumberKind::Real:
       return H5T_IEEE_F64LE;
   }
   return -1;

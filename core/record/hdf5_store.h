@@ -10,7 +10,7 @@ namespace underact::record {
 /// A dataset that grows by rows of `width` numbers: a column of a table.
 struct Store {
   Id id;  // not good: missing, or of another type
-  Kind kind = Kind::Real;
+  NumberKind kind = NumberKind::Real;
   std::uint64_t width = 1;
   bool is_packed = false;  // shuffled or compressed by zlib, as h5repack makes copies; never by this program
   /// Dimensions of the dataset: rows, and numbers a row where they are several.

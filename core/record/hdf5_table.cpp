@@ -9,7 +9,7 @@
 namespace underact::record {
 namespace {
 
-constexpr Column kCrc{"crc32", "", "CRC-32 of a block of rows, column after column", Kind::Unsigned};
+constexpr Column kCrc{"crc32", "", "CRC-32 of a block of rows, column after column", NumberKind::Unsigned};
 constexpr std::uint64_t kCrcChunk = 64;
 
 std::string namesOf(std::span<const Column> columns) {

@@ -34,7 +34,7 @@ constexpr std::array<Law, 3> kLaws{{
 int versionIn(const json::Value& provenance, const char* law) {
   const json::Value* const laws = provenance.find("laws");
   const json::Value* const version = laws != nullptr ? laws->find(law) : nullptr;
-  return version != nullptr && version->kind == json::Kind::Number ? static_cast<int>(version->number) : 1;
+  return version != nullptr && version->kind == json::JsonKind::Number ? static_cast<int>(version->number) : 1;
 }
 
 /// What the first provenance of a session says; null where there is none.

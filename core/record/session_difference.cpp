@@ -19,11 +19,11 @@ class Facts {
   }
   void add(const std::string& path, const json::Value& value) {
     switch (value.kind) {
-      case json::Kind::Object:
+      case json::JsonKind::Object:
         for (std::size_t index = 0; index < value.items.size(); ++index)
           add(path.empty() ? value.keys[index] : path + "." + value.keys[index], value.items[index]);
         return;
-      case json::Kind::Array:
+      case json::JsonKind::Array:
         return addList(path, value);
       default:
         return add(path, textOf(value));
@@ -38,11 +38,11 @@ class Facts {
  private:
   static std::string textOf(const json::Value& value) {
     switch (value.kind) {
-      case json::Kind::Bool:
+      case json::JsonKind::Bool:
         return value.boolean ? "true" : "false";
-      case json::Kind::Number:
+      case json::JsonKind::Number:
         return json::numberText(value.number);
-      case json::Kind::String:
+      case json::JsonKind::String:
         return json::quotedText(value.text);
       default:
         return "null";
@@ -51,7 +51,7 @@ class Facts {
   /// Numbers stay together; objects go by their names, so that one more library does not shift all that follow.
   void addList(const std::string& path, const json::Value& list) {
     const bool is_plain = std::all_of(list.items.begin(), list.items.end(), [](const json::Value& one) {
-      return one.kind != json::Kind::Object && one.kind != json::Kind::Array;
+      return one.kind != json::JsonKind::Object && one.kind != json::JsonKind::Array;
     });
     if (is_plain) {
       std::string text;
@@ -61,7 +61,7 @@ class Facts {
     for (std::size_t index = 0; index < list.items.size(); ++index) {
       const json::Value* name = list.items[index].find("name");
       if (name == nullptr) name = list.items[index].find("constraint");
-      const bool is_named = name != nullptr && name->kind == json::Kind::String;
+      const bool is_named = name != nullptr && name->kind == json::JsonKind::String;
       add(path + "[" + (is_named ? name->text : std::to_string(index)) + "]", list.items[index]);
     }
   }

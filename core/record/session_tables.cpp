@@ -6,8 +6,8 @@
 #include "core/base/units.h"
 
 namespace underact::record {
-constexpr std::array kByteColumns{Column{"bytes", "", "UTF-8", Kind::Byte}};
-constexpr std::array kStartColumns{Column{"bytes", "", "the servo's memory at the first row", Kind::Byte}};
+constexpr std::array kByteColumns{Column{"bytes", "", "UTF-8", NumberKind::Byte}};
+constexpr std::array kStartColumns{Column{"bytes", "", "the servo's memory at the first row", NumberKind::Byte}};
 
 // The rows of the longest block at the highest rate of a session.
 constexpr std::int64_t kMaxBlockRows = 200'000;

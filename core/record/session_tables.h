@@ -127,15 +127,15 @@ inline constexpr std::pair kEnumerators<Steering>{Steering::Push, Steering::Move
 template <>
 inline constexpr std::pair kEnumerators<EndReason>{EndReason::Stopped, EndReason::Recovered};
 
-inline constexpr Column kTick{"tick", "", "number of the tick", Kind::Integer};
-inline constexpr Column kTextAt{"text_at", "", "where its words begin in /text/bytes", Kind::Integer};
-inline constexpr Column kTextBytes{"text_bytes", "", "how many bytes of UTF-8 they are", Kind::Integer};
+inline constexpr Column kTick{"tick", "", "number of the tick", NumberKind::Integer};
+inline constexpr Column kTextAt{"text_at", "", "where its words begin in /text/bytes", NumberKind::Integer};
+inline constexpr Column kTextBytes{"text_bytes", "", "how many bytes of UTF-8 they are", NumberKind::Integer};
 
 template <>
 inline constexpr std::tuple kFields<ChangeRow>{
     Field{kTick, &ChangeRow::tick},
-    Field{Column{"revision", "", "of the scene, from this tick on", Kind::Integer}, &ChangeRow::revision},
-    Field{Column{"carry", "", "0 the scene was loaded, 1 gains were changed, 2 targets were moved", Kind::Byte},
+    Field{Column{"revision", "", "of the scene, from this tick on", NumberKind::Integer}, &ChangeRow::revision},
+    Field{Column{"carry", "", "0 the scene was loaded, 1 gains were changed, 2 targets were moved", NumberKind::Byte},
           &ChangeRow::carry},
     Field{kTextAt, within(&ChangeRow::scene, &Words::at)}, Field{kTextBytes, within(&ChangeRow::scene, &Words::bytes)}};
 template <>
@@ -145,17 +145,17 @@ inline constexpr std::tuple kFields<MarkerRow>{Field{kTick, &MarkerRow::tick},
 template <>
 inline constexpr std::tuple kFields<servo::FaultMark>{
     Field{kTick, &servo::FaultMark::tick},
-    Field{Column{"kind", "", kFaultMeaning.substr(kFaultMeaning.find("1 ")), Kind::Byte},
+    Field{Column{"kind", "", kFaultMeaning.substr(kFaultMeaning.find("1 ")), NumberKind::Byte},
           within(&servo::FaultMark::fault, &Fault::kind)},
     Field{Column{"seen", "", "what was measured"}, within(&servo::FaultMark::fault, &Fault::seen)},
     Field{Column{"allowed", "", "what would have been well"}, within(&servo::FaultMark::fault, &Fault::allowed)},
-    Field{Column{"from_servo", "", "1: found outside the tick", Kind::Byte}, &servo::FaultMark::from_servo}};
+    Field{Column{"from_servo", "", "1: found outside the tick", NumberKind::Byte}, &servo::FaultMark::from_servo}};
 template <>
 inline constexpr std::tuple kFields<EndRow>{
     Field{kTick, &EndRow::tick},
-    Field{Column{"dropped", "", "ticks that are missing", Kind::Integer}, &EndRow::dropped},
-    Field{Column{"unix_ns", "ns", "the clock at the end, since 1970", Kind::Integer}, &EndRow::unix_ns},
-    Field{Column{"reason", "", "0 stopped, 1 the program ended, 2 the disk was full, 3 recovered", Kind::Byte},
+    Field{Column{"dropped", "", "ticks that are missing", NumberKind::Integer}, &EndRow::dropped},
+    Field{Column{"unix_ns", "ns", "the clock at the end, since 1970", NumberKind::Integer}, &EndRow::unix_ns},
+    Field{Column{"reason", "", "0 stopped, 1 the program ended, 2 the disk was full, 3 recovered", NumberKind::Byte},
           &EndRow::reason}};
 template <>
 inline constexpr std::tuple kFields<ProvenanceRow>{Field{kTick, &ProvenanceRow::tick},
@@ -164,38 +164,43 @@ inline constexpr std::tuple kFields<ProvenanceRow>{Field{kTick, &ProvenanceRow::
 template <>
 inline constexpr std::tuple kFields<ClockRow>{
     Field{kTick, &ClockRow::tick},
-    Field{Column{"time_ns", "ns", "of that tick's sample, on the arm's clock", Kind::Integer}, &ClockRow::time_ns},
-    Field{Column{"monotonic_ns", "ns", "the servo's clock, which nobody sets", Kind::Integer}, &ClockRow::monotonic_ns},
-    Field{Column{"unix_ns", "ns", "the clock at the same moment, since 1970, UTC", Kind::Integer}, &ClockRow::unix_ns},
-    Field{Column{"between_ns", "ns", "that reading the two clocks took", Kind::Integer}, &ClockRow::between_ns}};
+    Field{Column{"time_ns", "ns", "of that tick's sample, on the arm's clock", NumberKind::Integer},
+          &ClockRow::time_ns},
+    Field{Column{"monotonic_ns", "ns", "the servo's clock, which nobody sets", NumberKind::Integer},
+          &ClockRow::monotonic_ns},
+    Field{Column{"unix_ns", "ns", "the clock at the same moment, since 1970, UTC", NumberKind::Integer},
+          &ClockRow::unix_ns},
+    Field{Column{"between_ns", "ns", "that reading the two clocks took", NumberKind::Integer}, &ClockRow::between_ns}};
 template <>
 inline constexpr std::tuple kFields<servo::TruthRow>{
     Field{kTick, &servo::TruthRow::tick},
-    Field{Column{"p_true_WT_mm", "mm", "where the simulated arm's tip really is: without encoders", Kind::Real, "", 3,
-                 "W"},
+    Field{Column{"p_true_WT_mm", "mm", "where the simulated arm's tip really is: without encoders", NumberKind::Real,
+                 "", 3, "W"},
           within(&servo::TruthRow::truth, &servo::Truth::p_WT), kMillimetrePerMetre},
     Field{Column{"hand_force_N", "N", "force of the simulated hand's spring and damper on the tip at the sample",
-                 Kind::Real, "", 3, "W"},
+                 NumberKind::Real, "", 3, "W"},
           within(&servo::TruthRow::truth, &servo::Truth::f_hand_T_W)}};
 template <>
 inline constexpr std::tuple kFields<servo::ConstraintRow>{
     Field{kTick, &servo::ConstraintRow::tick},
-    Field{Column{"constraint", "", "its index in the scene, from 0", Kind::Unsigned},
+    Field{Column{"constraint", "", "its index in the scene, from 0", NumberKind::Unsigned},
           &servo::ConstraintRow::constraint},
-    Field{Column{"acts", "", "1: it contributes to the force", Kind::Byte}, &servo::ConstraintRow::acts},
-    Field{Column{"p_WP_mm", "mm", "its target; nan: none", Kind::Real, "", 3, "W"}, &servo::ConstraintRow::p_WP,
+    Field{Column{"acts", "", "1: it contributes to the force", NumberKind::Byte}, &servo::ConstraintRow::acts},
+    Field{Column{"p_WP_mm", "mm", "its target; nan: none", NumberKind::Real, "", 3, "W"}, &servo::ConstraintRow::p_WP,
           kMillimetrePerMetre},
-    Field{Column{"force_N", "N", "its own force on the tip, before the gate", Kind::Real, "", 3, "W"},
+    Field{Column{"force_N", "N", "its own force on the tip, before the gate", NumberKind::Real, "", 3, "W"},
           &servo::ConstraintRow::f_T_W}};
 template <>
 inline constexpr std::tuple kFields<SteeringRow>{
     Field{kTick, &SteeringRow::tick},
-    Field{Column{"kind", "", "1 a force was added before the gate, 2 targets were carried to their places", Kind::Byte},
+    Field{Column{"kind", "", "1 a force was added before the gate, 2 targets were carried to their places",
+                 NumberKind::Byte},
           &SteeringRow::kind},
-    Field{Column{"revision", "", "of the scene whose targets were carried; 0: none", Kind::Integer},
+    Field{Column{"revision", "", "of the scene whose targets were carried; 0: none", NumberKind::Integer},
           &SteeringRow::revision},
-    Field{Column{"ticks", "", "how many ticks it took; 0: an added force ended", Kind::Integer}, &SteeringRow::ticks},
-    Field{Column{"force_N", "N", "that was added", Kind::Real, "", 3, "W"}, &SteeringRow::f_T_W}};
+    Field{Column{"ticks", "", "how many ticks it took; 0: an added force ended", NumberKind::Integer},
+          &SteeringRow::ticks},
+    Field{Column{"force_N", "N", "that was added", NumberKind::Real, "", 3, "W"}, &SteeringRow::f_T_W}};
 template <>
 inline constexpr std::tuple kFields<JointsRow>{Field{kTick, &JointsRow::tick},
                                                Field{kMoreJoints.column, &JointsRow::q}};

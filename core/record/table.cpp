@@ -39,20 +39,20 @@ std::vector<std::string_view> csvNamesOf(const Column& column) {
 
 std::string_view typeWord(const Column& column) {
   switch (column.kind) {
-    case Kind::Byte:
+    case NumberKind::Byte:
       return "uint8";
-    case Kind::Unsigned:
+    case NumberKind::Unsigned:
       return "uint32";
-    case Kind::Integer:
+    case NumberKind::Integer:
       return "int64";
-    case Kind::Real:
+    case NumberKind::Real:
       return "float64";
   }
   return "";
 }
 
 std::size_t bytesOf(const Column& column) {
-  const std::size_t one = column.kind == Kind::Byte ? 1 : column.kind == Kind::Unsigned ? 4 : 8;
+  const std::size_t one = column.kind == NumberKind::Byte ? 1 : column.kind == NumberKind::Unsigned ? 4 : 8;
   return one * static_cast<std::size_t>(column.width);
 }
 

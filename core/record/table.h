@@ -9,14 +9,14 @@
 namespace underact::record {
 
 /// The type of a column's numbers; little-endian in the file.
-enum class Kind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
+enum class NumberKind : std::uint8_t { Byte, Unsigned, Integer, Real };  // 1, 4, 8, 8 bytes
 
 /// A column of a table: its name and unit in the file, and what its numbers are.
 struct Column {
   std::string_view name;
   std::string_view unit;  // empty: a number without unit
   std::string_view meaning;
-  Kind kind = Kind::Real;
+  NumberKind kind = NumberKind::Real;
   std::string_view csv = {};    // names of the numbers in CSV, live data and fault files, with commas; empty: none
   int width = 1;                // numbers per row
   std::string_view frame = {};  // "W": coordinates in the workspace frame; "joints", "motors"; empty: none

@@ -27,9 +27,9 @@ Result<UntrustedInput> UntrustedInput::open(const std::string& path, bool follow
   system::Descriptor opened = system::openToRead(path, follows ? system::Links::Follow : system::Links::Refuse);
   const std::optional<system::Status> file = opened.isOpen() ? system::statusOf(opened.number()) : std::nullopt;
   if (!file) return openFailureReason(path, errno);
-  if (file->kind == system::Kind::Folder)
+  if (file->kind == system::FileKind::Folder)
     return Problems{{phrase(TRANSLATE_NOOP("problem", "This is a folder, not a session.")), {path}}};
-  if (file->kind != system::Kind::File)
+  if (file->kind != system::FileKind::File)
     return Problems{{phrase(TRANSLATE_NOOP("problem", "This is not a session file.")), {path}}};
   if (!system::lock(opened.number(), system::Lock::Shared))
     return Problems{

@@ -37,7 +37,7 @@ void readPlace(ObjectReader& object, const char* key, Vec3& p) {
 
 Touch readTouch(const Value& value, const std::string& path, Findings& findings) {
   Touch touch;
-  if (!isKind(value, json::Kind::Object, path,
+  if (!isKind(value, json::JsonKind::Object, path,
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
                      {"{\"p_DM_mm\": [0, 0, 0], \"p_WM_mm\": [1, 2, 3]}"}),
               findings))
@@ -59,8 +59,8 @@ Touch readTouch(const Value& value, const std::string& path, Findings& findings)
 
 std::vector<Touch> readTouches(const Value& list, Findings& findings) {
   std::vector<Touch> touches;
-  if (!isKind(list, json::Kind::Array, "marks", phrase(TRANSLATE_NOOP("problem", "a list of 3 to 8 reference points")),
-              findings))
+  if (!isKind(list, json::JsonKind::Array, "marks",
+              phrase(TRANSLATE_NOOP("problem", "a list of 3 to 8 reference points")), findings))
     return touches;
   if (list.items.size() < kFewestMarks || list.items.size() > kMaxMarks) {
     findings.add(list, "marks",
@@ -78,17 +78,17 @@ void compare(const Value& value, const Pose& X_DW, Findings& findings) {
   const char* const kKey = "X_DW";
   const Sentence expected =
       phrase(TRANSLATE_NOOP("problem", "This must be four rows of four numbers, the last one 0, 0, 0, 1."));
-  if (!isKind(value, json::Kind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of four rows")), findings))
+  if (!isKind(value, json::JsonKind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of four rows")), findings))
     return;
   if (value.items.size() != 4) return findings.add(value, kKey, expected);
   Eigen::Matrix4d X = X_DW.matrix();
   X.topRightCorner<3, 1>() *= kMillimetrePerMetre;
   for (Eigen::Index row = 0; row < 4; ++row) {
     const Value& of_row = value.items[static_cast<std::size_t>(row)];
-    if (of_row.kind != json::Kind::Array || of_row.items.size() != 4) return findings.add(of_row, kKey, expected);
+    if (of_row.kind != json::JsonKind::Array || of_row.items.size() != 4) return findings.add(of_row, kKey, expected);
     for (Eigen::Index column = 0; column < 4; ++column) {
       const Value& one = of_row.items[static_cast<std::size_t>(column)];
-      if (one.kind != json::Kind::Number) return findings.add(one, kKey, expected);
+      if (one.kind != json::JsonKind::Number) return findings.add(one, kKey, expected);
       const double allowed = column == 3 ? kSamePlace_mm : kSameTurn;
       if (std::abs(one.number - X(row, column)) <= allowed) continue;
       return findings.add(
@@ -105,7 +105,7 @@ Registration readWhole(const Value& root, Findings& findings) {
   Registration registration;
   ObjectReader object(root, "", phrase(TRANSLATE_NOOP("problem", "a registration")), findings);
   const Value* const version = object.find("underact_registration", true);
-  if (version != nullptr && (version->kind != json::Kind::Number || version->number != 1.0))
+  if (version != nullptr && (version->kind != json::JsonKind::Number || version->number != 1.0))
     findings.add(*version, "underact_registration",
                  phrase(TRANSLATE_NOOP("problem", "This program reads version 1 of registrations.")));
   readWords(object, "arm", true, registration.arm);
@@ -162,7 +162,7 @@ Result<Registration> readRegistration(std::string_view text, const std::string& 
   const Result<Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "",
+  if (!isKind(root.value(), json::JsonKind::Object, "",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_registration\": 1, ...}"}),
               findings))
     return findings.take();

@@ -115,10 +115,10 @@ Heat heated(const Thermal& thermal, const Heat& heat, const Motion& motion, cons
 
 Vec3 limitSlew(const Limits& limits, const Vec3& last_T_W, const Vec3& f_T_W, double dt_s) noexcept {
   const double max_N = limits.max_slew_N_per_s * std::max(0.0, dt_s);
-  const Vec3 way_N = f_T_W - last_T_W;
-  const double square = way_N.squaredNorm();
+  const Vec3 change_N = f_T_W - last_T_W;
+  const double square = change_N.squaredNorm();
   if (!(square > max_N * max_N)) return f_T_W;  // an infinite limit times 0 s is not a number, and limits nothing
-  return last_T_W + (max_N / std::sqrt(square)) * way_N;
+  return last_T_W + (max_N / std::sqrt(square)) * change_N;
 }
 
 }  // namespace underact::safety

@@ -14,7 +14,7 @@ namespace {
 /// All input of a curve, and the curve made of it, which this does not keep alive.
 struct Kept {
   std::weak_ptr<const std::vector<Vec3>> points;
-  curve::Kind kind = curve::Kind::Spline;
+  curve::CurveKind kind = curve::CurveKind::Spline;
   bool closed = false;
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();

@@ -81,7 +81,7 @@ struct Curve {
   std::string file;  // as in Mesh
   double scale_mm_per_unit = 1.0;
   Eigen::Matrix4d X_WM = Eigen::Matrix4d::Identity();  // translation in mm
-  curve::Kind kind = curve::Kind::Spline;
+  curve::CurveKind kind = curve::CurveKind::Spline;
   bool closed = false;
   Search search = Search::Hybrid;
   std::optional<CurveGuidance> guide = {};               // none: the target is the nearest point

@@ -9,35 +9,35 @@
 namespace underact::scene {
 namespace {
 
-using json::Kind;
+using json::JsonKind;
 using json::Value;
 
 std::string textOf(const Value* value) {
   if (value == nullptr) return {};
   switch (value->kind) {
-    case Kind::Null:
+    case JsonKind::Null:
       return "null";
-    case Kind::Bool:
+    case JsonKind::Bool:
       return value->boolean ? "true" : "false";
-    case Kind::Number:
+    case JsonKind::Number:
       return json::numberText(value->number);
-    case Kind::String:
+    case JsonKind::String:
       return value->text;
-    case Kind::Array:
-    case Kind::Object:
+    case JsonKind::Array:
+    case JsonKind::Object:
       break;
   }
   std::string text;
   for (std::size_t index = 0; index < value->items.size(); ++index) {
     if (!text.empty()) text += ", ";
-    if (value->kind == Kind::Object) text += value->keys[index] + ": ";
+    if (value->kind == JsonKind::Object) text += value->keys[index] + ": ";
     text += textOf(&value->items[index]);
   }
-  return value->kind == Kind::Array ? "[" + text + "]" : "{" + text + "}";
+  return value->kind == JsonKind::Array ? "[" + text + "]" : "{" + text + "}";
 }
 
-bool isList(const Value* value, Kind of) {
-  return value != nullptr && value->kind == Kind::Array && !value->items.empty() &&
+bool isList(const Value* value, JsonKind of) {
+  return value != nullptr && value->kind == JsonKind::Array && !value->items.empty() &&
          std::all_of(value->items.begin(), value->items.end(), [of](const Value& item) { return item.kind == of; });
 }
 
@@ -49,7 +49,7 @@ std::string nameOf(const Value& item, std::size_t index) {
 void compare(const Value* one, const Value* other, const std::string& key, std::vector<Difference>& differences) {
   const auto inside = [&key](const std::string& part) { return key.empty() ? part : key + "." + part; };
   const bool both = one != nullptr && other != nullptr;
-  const auto isObject = [](const Value* value) { return value == nullptr || value->kind == Kind::Object; };
+  const auto isObject = [](const Value* value) { return value == nullptr || value->kind == JsonKind::Object; };
   if ((one != nullptr || other != nullptr) && isObject(one) && isObject(other)) {
     static const Value kNothing;
     const Value &here = one != nullptr ? *one : kNothing, &there = other != nullptr ? *other : kNothing;
@@ -57,7 +57,7 @@ void compare(const Value* one, const Value* other, const std::string& key, std::
     for (const std::string& part : there.keys) {
       if (here.find(part) == nullptr) compare(nullptr, there.find(part), inside(part), differences);
     }
-  } else if (both && isList(one, Kind::Object) && isList(other, Kind::Object) &&
+  } else if (both && isList(one, JsonKind::Object) && isList(other, JsonKind::Object) &&
              one->items.size() == other->items.size()) {
     const bool are_constraints = key == "constraints";
     for (std::size_t index = 0; index < one->items.size(); ++index) {
@@ -71,12 +71,12 @@ void compare(const Value* one, const Value* other, const std::string& key, std::
 
 /// Adds the values that a file leaves out of its control and a reader wants to see.
 void addDefault(Value& control) {
-  control.kind = Kind::Object;
+  control.kind = JsonKind::Object;
   for (const SettingOf<Control>& row : rowsOf<Control>()) {
     if (control.find(row.is.key) != nullptr) continue;
     const SettingValue default_value = row.default_value({});
     Value value;
-    value.kind = Kind::String;
+    value.kind = JsonKind::String;
     value.text = std::holds_alternative<std::string>(default_value) ? std::get<std::string>(default_value)
                                                                     : fileTextOf(default_value);
     control.keys.emplace_back(row.is.key);

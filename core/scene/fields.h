@@ -63,8 +63,8 @@ inline constexpr Word<SolverMethod> kSolverWords[] = {
 inline constexpr Word<manipulator::ForceLaw> kForceLawWords[] = {{"energy", manipulator::ForceLaw::Energy},
                                                                  {"thesis-5.2", manipulator::ForceLaw::Thesis52}};
 
-inline constexpr Word<curve::Kind> kCurveWords[] = {{"spline", curve::Kind::Spline},
-                                                    {"polyline", curve::Kind::Polyline}};
+inline constexpr Word<curve::CurveKind> kCurveWords[] = {{"spline", curve::CurveKind::Spline},
+                                                         {"polyline", curve::CurveKind::Polyline}};
 inline constexpr Word<mesh::Search> kSearchWords[] = {
     {"hybrid", mesh::Search::Hybrid}, {"global", mesh::Search::Global}, {"local", mesh::Search::Local}};
 

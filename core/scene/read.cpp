@@ -18,7 +18,7 @@ void readVersion(ObjectReader& object) {
   const json::Value* value = object.find("underact_scene", true);
   if (value == nullptr) return;
   Findings& findings = object.findings();
-  if (!isKind(*value, json::Kind::Number, "underact_scene", phrase(TRANSLATE_NOOP("problem", "the number 1")),
+  if (!isKind(*value, json::JsonKind::Number, "underact_scene", phrase(TRANSLATE_NOOP("problem", "the number 1")),
               findings))
     return;
   if (value->number > kVersion && std::floor(value->number) == value->number && std::isfinite(value->number)) {
@@ -49,7 +49,7 @@ void makeUpNames(std::vector<Constraint>& constraints) {
 void readConstraints(ObjectReader& object, std::vector<Constraint>& into) {
   const json::Value* list = object.find("constraints", true);
   Findings& findings = object.findings();
-  if (list == nullptr || !isKind(*list, json::Kind::Array, "constraints",
+  if (list == nullptr || !isKind(*list, json::JsonKind::Array, "constraints",
                                  phrase(TRANSLATE_NOOP("problem", "a list of constraints")), findings)) {
     into.emplace_back();  // a harmless one
   } else {
@@ -90,7 +90,7 @@ Description readWhole(const json::Value& root, const std::string& file_name, Fin
   if (const json::Value* teach = object.find("teach")) readTeaching(*teach, findings);  // see teachingOf()
   readConstraints(object, scene.constraints);
   if (const json::Value* schema = object.find("$schema")) {  // for editors; not part of the scene
-    isKind(*schema, json::Kind::String, "$schema", phrase(TRANSLATE_NOOP("problem", "text in double quotes")),
+    isKind(*schema, json::JsonKind::String, "$schema", phrase(TRANSLATE_NOOP("problem", "text in double quotes")),
            findings);
   }
   object.refuse("velocity", belongsToControl());
@@ -107,7 +107,8 @@ Result<Description> readScene(std::string_view text, const std::string& file_nam
   const Result<json::Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "", kindName(json::Kind::Object), findings)) return findings.take();
+  if (!isKind(root.value(), json::JsonKind::Object, "", kindName(json::JsonKind::Object), findings))
+    return findings.take();
   Description scene = readWhole(root.value(), file_name, findings);
   const Problems of_arm = readSceneArm(scene, files);
   findings.add(check(of_arm.empty() ? scene : withArmOf({}, scene)));

@@ -17,7 +17,7 @@ std::optional<Shape> shapeOfType(const json::Value& value, const std::string& pa
     types.emplace_back(typeName(one));
     if (value.text == types.back()) shape = std::move(one);
   });
-  if (!isKind(value, json::Kind::String, path, listed(types), findings)) return std::nullopt;
+  if (!isKind(value, json::JsonKind::String, path, listed(types), findings)) return std::nullopt;
   if (shape) return shape;
   const std::string nearest = findings.nearest(value.text, types);
   findings.add(
@@ -53,7 +53,7 @@ void readFields(ObjectReader& object, Shape& shape) {
 
 /// Reads a name; empty where it cannot be read.
 void readName(const json::Value& value, const std::string& path, std::string& into, Findings& findings) {
-  if (value.kind == json::Kind::String && value.text.empty()) {
+  if (value.kind == json::JsonKind::String && value.text.empty()) {
     findings.add(
         value, path,
         phrase(TRANSLATE_NOOP("problem", "The name is empty; write one, or remove the key to get a default name.")));
@@ -106,7 +106,7 @@ Sentence belongsToConstraint() {
 void readConstraint(const json::Value& value, const std::string& path, Constraint& into, Findings& findings) {
   into.place = {findings.file(), value.line, value.column, path};
   findings.remember(path, value);
-  if (!isKind(value, json::Kind::Object, path,
+  if (!isKind(value, json::JsonKind::Object, path,
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
                      {"{\"type\": \"point\", \"position_mm\": [0, 0, 0]}"}),
               findings)) {

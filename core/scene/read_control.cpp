@@ -10,7 +10,7 @@ Sentence belongsToControl() {
 
 Control readControl(const json::Value& value, const std::string& path, Findings& findings) {
   Control control;
-  if (!isKind(value, json::Kind::Object, path,
+  if (!isKind(value, json::JsonKind::Object, path,
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"law\": \"P\", \"kp_N_per_mm\": 0.5}"}),
               findings)) {
     return control;

@@ -9,7 +9,7 @@ namespace underact::scene {
 namespace {
 
 void readJoint(const json::Value& value, const std::string& path, Joint& into, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, path,
+  if (!isKind(value, json::JsonKind::Object, path,
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
                      {"{\"type\": \"revolute\", \"axis\": [0, 0, 1], \"point_mm\": [0, 0, 0]}"}),
               findings)) {
@@ -44,9 +44,10 @@ void readJoint(const json::Value& value, const std::string& path, Joint& into, F
 
 void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d& into, Findings& findings) {
   findings.remember(path, value);
-  const bool four = value.kind == json::Kind::Array && value.items.size() == 4;
+  const bool four = value.kind == json::JsonKind::Array && value.items.size() == 4;
   if (!four) {
-    if (isKind(value, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "4 rows of 4 numbers")), findings)) {
+    if (isKind(value, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "4 rows of 4 numbers")),
+               findings)) {
       findings.add(value, path,
                    phrase(TRANSLATE_NOOP("problem", "A pose has 4 rows of 4 numbers; this one has %1."),
                           {std::to_string(value.items.size())}));
@@ -57,7 +58,8 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
     const json::Value& line = value.items[static_cast<std::size_t>(row)];
     const std::string line_path = path + "[" + std::to_string(row) + "]";
     findings.remember(line_path, line);
-    if (!isKind(line, json::Kind::Array, line_path, phrase(TRANSLATE_NOOP("problem", "4 numbers")), findings)) continue;
+    if (!isKind(line, json::JsonKind::Array, line_path, phrase(TRANSLATE_NOOP("problem", "4 numbers")), findings))
+      continue;
     if (line.items.size() != 4) {
       findings.add(line, line_path,
                    phrase(TRANSLATE_NOOP("problem", "A row has 4 numbers; this one has %1."),
@@ -74,7 +76,7 @@ void readPose(const json::Value& value, const std::string& path, Eigen::Matrix4d
 void readManipulator(ObjectReader& object, VirtualManipulator& into) {
   Findings& findings = object.findings();
   const json::Value* joints = object.find("joints", true);
-  if (joints != nullptr && isKind(*joints, json::Kind::Array, object.pathOf("joints"),
+  if (joints != nullptr && isKind(*joints, json::JsonKind::Array, object.pathOf("joints"),
                                   phrase(TRANSLATE_NOOP("problem", "a list of joints")), findings)) {
     findings.remember(object.pathOf("joints"), *joints);
     const std::size_t count = joints->items.size();

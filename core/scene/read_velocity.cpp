@@ -32,7 +32,7 @@ void refuseOthers(ObjectReader& object, const Velocity& chosen) {
 
 Velocity readVelocity(const json::Value& value, const std::string& path, Findings& findings) {
   Velocity velocity;
-  if (!isKind(value, json::Kind::Object, path,
+  if (!isKind(value, json::JsonKind::Object, path,
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"filter\": \"kalman\"}"}), findings))
     return velocity;
   ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a velocity filter")), findings);

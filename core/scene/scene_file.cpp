@@ -40,7 +40,7 @@ Problems writeSceneFile(const Description& scene, const std::string& path, const
   const std::string target = withoutLinks(path);
   const std::string part = target + "." + system::uniqueWord() + ".part";
   const std::optional<system::Status> old = system::statusOf(target);
-  if (old && old->kind == system::Kind::Folder)
+  if (old && old->kind == system::FileKind::Folder)
     return problem(path, phrase(TRANSLATE_NOOP("problem", "This is a folder; a scene needs a file name.")));
   system::Descriptor file = system::makeFile(part, system::Making::Emptied, system::Readers::Default);
   if (!file.isOpen())

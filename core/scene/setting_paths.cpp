@@ -44,16 +44,16 @@ Problems nowhere(const Description& scene, const std::string& path, bool has_hin
 json::Value jsonOf(const SettingValue& value) {
   json::Value made;
   if (const bool* flag = std::get_if<bool>(&value)) {
-    made.kind = json::Kind::Bool;
+    made.kind = json::JsonKind::Bool;
     made.boolean = *flag;
   } else if (const double* number = std::get_if<double>(&value)) {
-    made.kind = json::Kind::Number;
+    made.kind = json::JsonKind::Number;
     made.number = *number;
   } else if (const auto* word = std::get_if<std::string>(&value)) {
-    made.kind = json::Kind::String;
+    made.kind = json::JsonKind::String;
     made.text = *word;
   } else if (const auto* axes = std::get_if<Vec3>(&value)) {
-    made.kind = json::Kind::Array;
+    made.kind = json::JsonKind::Array;
     for (const double axis : *axes) made.items.push_back(jsonOf(axis));
   }
   return made;
@@ -67,7 +67,7 @@ class Putting {
 
   template <class Object>
   void operator()(const SettingOf<Object>& row, Object& into) const {
-    if (value_.kind == json::Kind::Null && isNone(row.default_value(into))) {
+    if (value_.kind == json::JsonKind::Null && isNone(row.default_value(into))) {
       row.set(into, {});
       return;
     }
@@ -83,7 +83,7 @@ class Putting {
 
   template <class Object>
   void operator()(const SettingOf<Object>& row, std::optional<Object>& into) const {
-    if (value_.kind == json::Kind::Null && row.is.given == KeyPresence::Required) {
+    if (value_.kind == json::JsonKind::Null && row.is.given == KeyPresence::Required) {
       into.reset();
     } else if (into) {
       (*this)(row, *into);

@@ -123,7 +123,7 @@ void readSettings(ObjectReader& reader, Object& into) {
 template <class Object>
 void readObject(const json::Value& value, const std::string& path, const Sentence& what, const char* example,
                 Object& into, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {example}),
+  if (!isKind(value, json::JsonKind::Object, path, phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {example}),
               findings))
     return;
   ObjectReader reader(value, path, what, findings);

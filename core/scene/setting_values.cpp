@@ -16,12 +16,12 @@ constexpr const char* kNotWhole =
 
 /// A number for all axes, or one for each.
 bool readAxes(const json::Value& value, const std::string& path, Vec3& into, Findings& findings) {
-  if (value.kind == json::Kind::Number) {
+  if (value.kind == json::JsonKind::Number) {
     into.setConstant(value.number);
-  } else if (value.kind == json::Kind::Array) {
+  } else if (value.kind == json::JsonKind::Array) {
     readNumber(value, path, into, findings);
   } else {
-    return isKind(value, json::Kind::Number, path,
+    return isKind(value, json::JsonKind::Number, path,
                   phrase(TRANSLATE_NOOP("problem", "a number, or a list of 3 numbers for x, y and z")), findings);
   }
   return true;
@@ -52,13 +52,13 @@ bool readValue(const Setting& is, const json::Value& value, const std::string& p
   if (is.kind == SettingKind::Choice) {
     const std::vector<std::string> words = is.words();
     into = value.text;
-    if (value.kind == json::Kind::String && std::find(words.begin(), words.end(), value.text) != words.end())
+    if (value.kind == json::JsonKind::String && std::find(words.begin(), words.end(), value.text) != words.end())
       return true;
     json::refuseWord(value, path, words, findings);
     return false;
   }
   const bool is_flag = is.kind == SettingKind::Flag;
-  const json::Kind kind = is_flag ? json::Kind::Bool : json::Kind::Number;
+  const json::JsonKind kind = is_flag ? json::JsonKind::Bool : json::JsonKind::Number;
   into = is_flag ? SettingValue(value.boolean) : SettingValue(value.number);
   return isKind(value, kind, path, json::kindName(kind), findings);
 }

@@ -33,7 +33,7 @@ Field(const char*, Number Shape::*, More...) -> Field<Shape, Number>;
 /// shape of this file, also what the schema says of it, the maker of the tick's shape, which takes the numbers in the
 /// same order, and its keys.
 template <class Make = std::nullptr_t, class... Fields>
-struct Row {
+struct ShapeRow {
   const char *type, *name;
   bool has_sides;
   const char* about = nullptr;
@@ -41,12 +41,12 @@ struct Row {
   std::tuple<Fields...> fields = {};
 };
 /// Makes a row: of another type, and of a shape of this file.
-constexpr Row<> shapeRow(const char* type, const char* name, bool has_sides) {
+constexpr ShapeRow<> shapeRow(const char* type, const char* name, bool has_sides) {
   return {type, name, has_sides};
 }
 template <class Make, class... Fields>
-constexpr Row<Make, Fields...> shapeRow(const char* type, const char* name, bool has_sides, const char* about,
-                                        Make make, Fields... fields) {
+constexpr ShapeRow<Make, Fields...> shapeRow(const char* type, const char* name, bool has_sides, const char* about,
+                                             Make make, Fields... fields) {
   return {type, name, has_sides, about, make, {fields...}};
 }
 

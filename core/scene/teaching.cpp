@@ -16,7 +16,7 @@ void readPart(ObjectReader& object, const char* key, std::string& into) {
 
 Teaching readTeaching(const json::Value& value, Findings& findings) {
   Teaching teaching;
-  if (!isKind(value, json::Kind::Object, "teach",
+  if (!isKind(value, json::JsonKind::Object, "teach",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"),
                      {"{\"group\": \"shapes\", \"feel\": \"A spring.\"}"}),
               findings))

@@ -54,7 +54,7 @@ class Servo {
 
  private:
   bool pushes_;
-  Loop loop_;
+  ServoLoop loop_;
   Histogram lateness_, tick_time_;
   std::optional<Thread> thread_;
 };

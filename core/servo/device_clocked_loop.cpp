@@ -14,7 +14,7 @@ constexpr int kLooksInPatience = 5;
 
 }  // namespace
 
-std::unique_ptr<DeviceClockedLoop> DeviceClockedLoop::start(Loop& loop, DevicePort& device, int rate_hz,
+std::unique_ptr<DeviceClockedLoop> DeviceClockedLoop::start(ServoLoop& loop, DevicePort& device, int rate_hz,
                                                             std::int64_t patience_ns) {
   std::unique_ptr<DeviceClockedLoop> driven(new DeviceClockedLoop(loop, device, rate_hz, patience_ns));
   if (!device.drive(*driven, rate_hz)) return nullptr;
@@ -22,7 +22,7 @@ std::unique_ptr<DeviceClockedLoop> DeviceClockedLoop::start(Loop& loop, DevicePo
   return driven;
 }
 
-DeviceClockedLoop::DeviceClockedLoop(Loop& loop, DevicePort& device, int rate_hz, std::int64_t patience_ns)
+DeviceClockedLoop::DeviceClockedLoop(ServoLoop& loop, DevicePort& device, int rate_hz, std::int64_t patience_ns)
     : loop_(loop),
       device_(device),
       period_ns_(1'000'000'000 / rate_hz),

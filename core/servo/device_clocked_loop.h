@@ -17,7 +17,7 @@ namespace underact::servo {
 class DeviceClockedLoop final : public Ticks {
  public:
   /// patience_ns: how long the clock may be silent; 0 or less: 0.1 s. Null where the arm has no clock of its own.
-  static std::unique_ptr<DeviceClockedLoop> start(Loop& loop, DevicePort& device, int rate_hz,
+  static std::unique_ptr<DeviceClockedLoop> start(ServoLoop& loop, DevicePort& device, int rate_hz,
                                                   std::int64_t patience_ns = 0);
   ~DeviceClockedLoop();  // the last tick is done, and zero force written
   DeviceClockedLoop(const DeviceClockedLoop&) = delete;
@@ -26,11 +26,11 @@ class DeviceClockedLoop final : public Ticks {
   void tick() noexcept UNDERACT_REAL_TIME override;
 
  private:
-  DeviceClockedLoop(Loop& loop, DevicePort& device, int rate_hz, std::int64_t patience_ns);
+  DeviceClockedLoop(ServoLoop& loop, DevicePort& device, int rate_hz, std::int64_t patience_ns);
   void tickOnce(std::int64_t now_ns) noexcept UNDERACT_REAL_TIME;
   void standIn();
 
-  Loop& loop_;
+  ServoLoop& loop_;
   DevicePort& device_;
   const std::int64_t period_ns_, patience_ns_;
   std::atomic<std::int64_t> heard_ns_;   // when the arm's clock called last

@@ -150,7 +150,7 @@ struct Host::Impl {
 
   HostOptions options;
   std::unique_ptr<DevicePort> device;
-  Loop loop;
+  ServoLoop loop;
   std::unique_ptr<Guard> guard;
   Sentence no_guard;  // why none was started
   bool can_be_guarded = false;
@@ -164,7 +164,7 @@ struct Host::Impl {
   std::map<std::uint64_t, scene::Description> scenes;
   std::shared_ptr<Tap> tap;                    // the recorder's
   std::vector<std::shared_ptr<Tap>> ending;    // the servo may still write into them
-  std::optional<std::uint64_t> started_after;  // Loop::stops() at the last start()
+  std::optional<std::uint64_t> started_after;  // ServoLoop::stops() at the last start()
   bool hold_to_run = false;
   double force_share = 1.0;
   Timing timing;

@@ -106,8 +106,8 @@ class Host {
   Problems restart();
   /// Changes the rate, 100 to 10000 ticks a second. The force is ramped to zero first, which takes 0.05 s and is waited
   /// for; then the thread is restarted, and the servo started again if it ran. What counts in ticks begins anew (see
-  /// Loop::setPeriod()), and so does timing(). Manual clock: ticks are run until the force is zero. Problems: a session
-  /// is being recorded; the arm has a fixed rate; a rate out of range. Then nothing changes.
+  /// ServoLoop::setPeriod()), and so does timing(). Manual clock: ticks are run until the force is zero. Problems: a
+  /// session is being recorded; the arm has a fixed rate; a rate out of range. Then nothing changes.
   Problems setRate(int rate_hz);
   /// The oldest fault that was not taken yet, and the next one with the next call.
   std::optional<FaultReport> takeFault();

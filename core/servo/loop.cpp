@@ -38,7 +38,7 @@ unsigned bitsOf(const tick::TickInput& input) noexcept UNDERACT_REAL_TIME {
 
 }  // namespace
 
-Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks)
+ServoLoop::ServoLoop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks)
     : device_(device),
       current_(new Instance),
       period_ns_(period_ns),
@@ -55,32 +55,32 @@ Loop::Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns,
   for (std::size_t index = 1; index < kHistories; ++index) spare_.push(&histories_[index]);
 }
 
-Loop::~Loop() {
+ServoLoop::~ServoLoop() {
   reap();
   commands_.consume_all([](const Command& left) { delete left.instance; });
   delete waiting_;
   delete current_;
 }
 
-bool Loop::send(const Command& command) {
+bool ServoLoop::send(const Command& command) {
   return commands_.push(command);
 }
 
-void Loop::reap() {
+void ServoLoop::reap() {
   retired_.consume_all([](const Instance* instance) { delete instance; });
 }
 
-void Loop::drain(const std::function<void(const TickRecord&)>& row) {
+void ServoLoop::drain(const std::function<void(const TickRecord&)>& row) {
   for (const TickRecord& record : std::exchange(left_, {})) row(record);
   records_->consume_all([&row](const TickRecord& record) { row(record); });
 }
 
-const History* Loop::takeHistory() {
+const History* ServoLoop::takeHistory() {
   History* history = nullptr;
   return full_.pop(history) ? history : nullptr;
 }
 
-void Loop::giveBack(const History* history) {
+void ServoLoop::giveBack(const History* history) {
   for (History& one : histories_) {
     if (&one != history) continue;
     if (one.room() != ticksIn(1'000'000'000, period_ns_)) one = roomForASecond(period_ns_);
@@ -88,7 +88,7 @@ void Loop::giveBack(const History* history) {
   }
 }
 
-void Loop::setPeriod(std::int64_t period_ns) {
+void ServoLoop::setPeriod(std::int64_t period_ns) {
   period_ns_ = period_ns;
   late_ = {};
   arm_clock_.reset();
@@ -103,24 +103,24 @@ void Loop::setPeriod(std::int64_t period_ns) {
   }
 }
 
-void Loop::retire(Instance* instance) noexcept {
+void ServoLoop::retire(Instance* instance) noexcept {
   retired_.push(instance);
 }
 
-void Loop::replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks) noexcept {
+void ServoLoop::replaceBy(Instance* instance, tick::Carry carry, std::int64_t over_ticks) noexcept {
   tick::carryOver(current_->program, current_->state, instance->program, instance->state, carry, over_ticks);
   retire(current_);
   current_ = instance;
   if (tap_ != nullptr) tap_->add(Change{ticks_ + 1, instance->revision, carry, over_ticks});
 }
 
-void Loop::push(const Command& command) noexcept {
+void ServoLoop::push(const Command& command) noexcept {
   push_T_W_ = command.push_T_W;
   push_left_ = command.ticks;
   is_push_new_ = true;
 }
 
-void Loop::listen(Tap* tap) noexcept {
+void ServoLoop::listen(Tap* tap) noexcept {
   if (tap_ != nullptr) tap_->end();
   tap_ = tap;
   if (tap_ == nullptr) return;
@@ -129,7 +129,7 @@ void Loop::listen(Tap* tap) noexcept {
 }
 
 /// After the commands of a tick: of the forces that were asked for since the last one only the newest acts.
-void Loop::informTap() noexcept {
+void ServoLoop::informTap() noexcept {
   const bool is_new = std::exchange(is_push_new_, false);
   if (tap_ == nullptr) return;
   const bool begins = tap_->wantsStart();
@@ -138,7 +138,7 @@ void Loop::informTap() noexcept {
 }
 
 /// Ends the force, also that of a client.
-void Loop::heedStops() noexcept {
+void ServoLoop::heedStops() noexcept {
   const std::uint64_t stops = stops_.load(std::memory_order_acquire);
   if (stops == heeded_) return;
   heeded_ = stops;
@@ -146,7 +146,7 @@ void Loop::heedStops() noexcept {
   if (push_left_ > 0) push({Order::Push});
 }
 
-void Loop::applyCommands() noexcept {
+void ServoLoop::applyCommands() noexcept {
   heedStops();
   Command command;
   while (commands_.pop(command)) {
@@ -191,24 +191,24 @@ void Loop::applyCommands() noexcept {
   admit();
 }
 
-void Loop::admit() noexcept {
+void ServoLoop::admit() noexcept {
   if (waiting_ == nullptr || current_->state.gate.level > 0.0) return;
   replaceBy(waiting_, tick::Carry::Arm);
   waiting_ = nullptr;
 }
 
-Mode Loop::mode() const noexcept {
+Mode ServoLoop::mode() const noexcept {
   if (current_->state.gate.fault.kind != FaultKind::None) return Mode::Faulted;
   if (engaged_) return Mode::Running;
   return current_->state.gate.level > 0.0 ? Mode::Stopping : Mode::Idle;
 }
 
-bool Loop::pushes() const noexcept {
+bool ServoLoop::pushes() const noexcept {
   return engaged_ || current_->state.gate.level > 0.0;
 }
 
 /// A pause is reported once: by the watchdog, or, where that was not fast enough, by the latency itself.
-Fault Loop::faultOf(const Wake& wake) noexcept {
+Fault ServoLoop::faultOf(const Wake& wake) noexcept {
   const std::int64_t told_ns = stood_still_ns_.exchange(0, std::memory_order_relaxed);
   const std::int64_t pause_ns = std::max(told_ns, wake.lateness_ns);
   const std::int64_t busy_ns = busy_window_ns_.exchange(0, std::memory_order_relaxed);
@@ -222,8 +222,8 @@ Fault Loop::faultOf(const Wake& wake) noexcept {
 
 /// Faults found by comparing clocks, with the sample at hand and before any force follows from it. Without a force they
 /// are no faults and not reported; where the servo's time is counted, sleep does not matter.
-Fault Loop::faultOfClocks(const Wake& wake, const tick::TickInput& input, std::int64_t now_ns,
-                          std::int64_t with_sleep_ns) noexcept {
+Fault ServoLoop::faultOfClocks(const Wake& wake, const tick::TickInput& input, std::int64_t now_ns,
+                               std::int64_t with_sleep_ns) noexcept {
   counted_ns_ += (1 + wake.left_out) * period_ns_;
   const bool counts = wake.at_ns == 0;
   Fault odd;
@@ -237,7 +237,7 @@ Fault Loop::faultOfClocks(const Wake& wake, const tick::TickInput& input, std::i
   return odd;
 }
 
-void Loop::countLate(const Wake& wake) noexcept {
+void ServoLoop::countLate(const Wake& wake) noexcept {
   late_.left_out += wake.left_out;
   if (wake.lateness_ns < period_ns_) return;
   ++late_.total;
@@ -245,7 +245,7 @@ void Loop::countLate(const Wake& wake) noexcept {
 }
 
 /// Hands on the last second with the fault that ended it; while three wait to be taken, a fourth is dropped.
-void Loop::remember(const Snapshot& snapshot) noexcept {
+void ServoLoop::remember(const Snapshot& snapshot) noexcept {
   const TickRecord record = recordOf(snapshot);
   if (!records_->push(record)) ++dropped_;
   history_->add(record);
@@ -268,7 +268,7 @@ void Loop::remember(const Snapshot& snapshot) noexcept {
 }
 
 /// What a recorder gets of a tick beyond its row.
-void Loop::addDetails(const Snapshot& snapshot) noexcept {
+void ServoLoop::addDetails(const Snapshot& snapshot) noexcept {
   Truth truth;
   if (device_.truth(truth)) tap_->add(TruthRow{snapshot.ticks, truth});
   for (std::size_t index = 0; index < snapshot.report.held.size(); ++index) {
@@ -279,7 +279,7 @@ void Loop::addDetails(const Snapshot& snapshot) noexcept {
   }
 }
 
-void Loop::tick(const Wake& wake) noexcept {
+void ServoLoop::tick(const Wake& wake) noexcept {
   applyCommands();
   informTap();
   countLate(wake);
@@ -331,7 +331,7 @@ void Loop::tick(const Wake& wake) noexcept {
   beats_->store(ticks_, std::memory_order_relaxed);
 }
 
-void Loop::release() noexcept {
+void ServoLoop::release() noexcept {
   device_.write(safety::GatedForce{});
   sleep_.reset();  // sleep does not matter until it ticks again
   slept_ns_ = 0;

@@ -39,19 +39,19 @@ struct Command {
   Tap* tap = nullptr;            // Record: lives until it has ended
   std::int64_t ticks = 0;        // Retune: over which the targets are carried, 0: at once. Push: for how many
   Vec3 push_T_W = Vec3::Zero();  // Push: N, finite
-  std::uint64_t stops = 0;       // Start: Loop::stops() when it was given; one that is higher by then has ended it
+  std::uint64_t stops = 0;       // Start: ServoLoop::stops() when it was given; one that is higher by then has ended it
 };
 
 /// What the servo thread does each period: takes up commands, reads the arm, ticks, writes the force and hands the
 /// results on. It never waits and never allocates; each queue has one writer, one reader and a fixed capacity.
-class Loop {
+class ServoLoop {
  public:
   /// device: outlives it. period_ns: above 0; watchdog_ns: no tick for so long is a fault, 0: never. Allocates all that
   /// ticks need.
-  Loop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks = {});
-  ~Loop();
-  Loop(const Loop&) = delete;
-  Loop& operator=(const Loop&) = delete;
+  ServoLoop(DevicePort& device, std::int64_t period_ns, std::int64_t watchdog_ns, const system::Clocks& clocks = {});
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
 
   // The servo thread, or whoever stands in for it.
   /// One tick. wake: when it was due, and when it began.

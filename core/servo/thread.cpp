@@ -7,7 +7,7 @@
 
 namespace underact::servo {
 
-Thread::Thread(Loop& loop, int rate_hz, const system::SchedulingRequest& wanted)
+Thread::Thread(ServoLoop& loop, int rate_hz, const system::SchedulingRequest& wanted)
     : loop_(loop), rate_hz_(rate_hz), wanted_(wanted) {
   std::promise<system::Scheduling> granted;
   std::future<system::Scheduling> scheduling = granted.get_future();

@@ -13,7 +13,7 @@ namespace underact::servo {
 class Thread {
  public:
   /// rate_hz: 100 to 10000.
-  Thread(Loop& loop, int rate_hz, const system::SchedulingRequest& wanted);
+  Thread(ServoLoop& loop, int rate_hz, const system::SchedulingRequest& wanted);
   ~Thread();  // zero force, then the thread ends
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
@@ -30,7 +30,7 @@ class Thread {
   void run(std::promise<system::Scheduling> granted);
   void tickWhileRequested();
 
-  Loop& loop_;
+  ServoLoop& loop_;
   int rate_hz_;
   system::SchedulingRequest wanted_;
   std::atomic<Request> request_{Request::Tick};

@@ -27,7 +27,7 @@ void readAmountUpTo(ObjectReader& object, const char* key, bool required, double
   if (value == nullptr) return;
   const std::string path = object.pathOf(key);
   json::readNumber(*value, path, amount, object.findings());
-  if (value->kind != json::Kind::Number) return;
+  if (value->kind != json::JsonKind::Number) return;
   if (amount >= 0.0 && amount <= max) return;
   object.findings().add(
       *value, path,
@@ -44,7 +44,7 @@ void readWords(ObjectReader& object, const char* key, bool required, std::string
 
 void readCounts(const Value& list, ArmModel& model, Findings& findings) {
   const char* const kKey = "counts_per_turn";
-  if (!isKind(list, json::Kind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
+  if (!isKind(list, json::JsonKind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
     return;
   if (list.items.size() != kCounts)
     return findings.add(list, kKey,
@@ -52,9 +52,9 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
   arm::EncoderCounts counts{};
   for (std::size_t joint = 0; joint < kCounts; ++joint) {
     const Value& count = list.items[joint];
-    if (count.kind == json::Kind::Null) continue;  // not measured
+    if (count.kind == json::JsonKind::Null) continue;  // not measured
     counts[joint] = count.number;
-    if (count.kind == json::Kind::Number && count.number >= 1.0 && std::isfinite(count.number)) continue;
+    if (count.kind == json::JsonKind::Number && count.number >= 1.0 && std::isfinite(count.number)) continue;
     findings.add(
         count, std::string(kKey) + "[" + std::to_string(joint) + "]",
         phrase(TRANSLATE_NOOP("problem", "This must be a number of at least 1, or null where it was not measured.")));
@@ -64,7 +64,7 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
 
 void readPlaces(const Value& list, std::vector<Vec3>& places_mm, Findings& findings) {
   const std::string path = "provenance.places_mm";
-  if (!isKind(list, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of positions")), findings))
+  if (!isKind(list, json::JsonKind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of positions")), findings))
     return;
   for (std::size_t index = 0; index < list.items.size(); ++index) {
     Vec3 place_mm = Vec3::Zero();
@@ -78,7 +78,7 @@ void readPlaces(const Value& list, std::vector<Vec3>& places_mm, Findings& findi
 }
 
 void readProvenance(const Value& value, Provenance& provenance, Findings& findings) {
-  if (!isKind(value, json::Kind::Object, "provenance",
+  if (!isKind(value, json::JsonKind::Object, "provenance",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"device\": \"...\", ...}"}), findings))
     return;
   ObjectReader object(value, "provenance", phrase(TRANSLATE_NOOP("problem", "the origin of a model")), findings);
@@ -102,7 +102,7 @@ void readProvenance(const Value& value, Provenance& provenance, Findings& findin
 
 ModelUncertainty readUncertainty(const Value& value, Findings& findings) {
   ModelUncertainty uncertainty;
-  if (!isKind(value, json::Kind::Object, "uncertainty",
+  if (!isKind(value, json::JsonKind::Object, "uncertainty",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.001}"}), findings))
     return uncertainty;
   ObjectReader object(value, "uncertainty", phrase(TRANSLATE_NOOP("problem", "an uncertainty")), findings);
@@ -115,7 +115,7 @@ ModelUncertainty readUncertainty(const Value& value, Findings& findings) {
 
 void readVersion(ObjectReader& object) {
   const Value* const version = object.find("underact_arm_model", true);
-  if (version == nullptr || (version->kind == json::Kind::Number && version->number == 1.0)) return;
+  if (version == nullptr || (version->kind == json::JsonKind::Number && version->number == 1.0)) return;
   object.findings().add(*version, "underact_arm_model",
                         phrase(TRANSLATE_NOOP("problem", "This program reads version 1 of arm models.")));
 }
@@ -131,7 +131,7 @@ ArmModelFile readWhole(const Value& root, Findings& findings) {
   readAmountUpTo(object, "friction_N", true, kMax, file.arm.friction_N);
   readAmountUpTo(object, "damping_N_s_per_m", false, kMax, file.arm.damping_N_s_per_m);
   if (const Value* const encoders = object.find("encoders")) {
-    if (isKind(*encoders, json::Kind::Bool, "encoders", "true or false", findings))
+    if (isKind(*encoders, json::JsonKind::Bool, "encoders", "true or false", findings))
       file.arm.encoders = encoders->boolean;
   }
   if (const Value* const counts = object.find("counts_per_turn")) readCounts(*counts, file.arm, findings);
@@ -170,7 +170,7 @@ Result<ArmModelFile> readArmModel(std::string_view text, const std::string& file
   const Result<Value> root = json::parse(text, file_name);
   if (!root) return root.problems();
   Findings findings(file_name);
-  if (!isKind(root.value(), json::Kind::Object, "",
+  if (!isKind(root.value(), json::JsonKind::Object, "",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_arm_model\": 1, ...}"}), findings))
     return findings.take();
   ArmModelFile file = readWhole(root.value(), findings);

@@ -42,7 +42,7 @@ void readAmount(ObjectReader& object, const char* key, bool may_be_zero, double&
 
 HandModel readModel(const Value& value, Findings& findings) {
   HandModel hand;
-  if (!isKind(value, json::Kind::Object, "hand",
+  if (!isKind(value, json::JsonKind::Object, "hand",
               phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"mass_kg\": 0.1}"}), findings))
     return hand;
   ObjectReader object(value, "hand", phrase(TRANSLATE_NOOP("problem", "a hand")), findings);
@@ -81,7 +81,7 @@ HandPoint readPoint(const Value& value, const std::string& path, double before_s
   point.t_s = kNotANumber;  // remains where the file gives none
   const Sentence expected =
       phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"t_s\": 0, \"p_mm\": [0, 0, 60]}"});
-  if (!isKind(value, json::Kind::Object, path, expected, findings)) return point;
+  if (!isKind(value, json::JsonKind::Object, path, expected, findings)) return point;
   ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a point of a hand's path")), findings);
   if (const Value* const t = object.find("t_s", true)) {
     readTime(*t, object.pathOf("t_s"), before_s, point.t_s, findings);
@@ -111,7 +111,7 @@ void carryTurns(std::vector<HandPoint>& path) {
 
 std::vector<HandPoint> readPath(const Value& value, Findings& findings) {
   std::vector<HandPoint> path;
-  if (!isKind(value, json::Kind::Array, "path", phrase(TRANSLATE_NOOP("problem", "a list of points")), findings))
+  if (!isKind(value, json::JsonKind::Array, "path", phrase(TRANSLATE_NOOP("problem", "a list of points")), findings))
     return path;
   if (value.items.empty())
     findings.add(value, "path", phrase(TRANSLATE_NOOP("problem", "A path needs at least one point.")));
@@ -131,7 +131,7 @@ Result<HandScript> readHand(std::string_view text, const std::string& file_name)
   if (!root) return root.problems();
   Findings findings(file_name);
   HandScript script;
-  if (isKind(root.value(), json::Kind::Object, "",
+  if (isKind(root.value(), json::JsonKind::Object, "",
              phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_hand\": 1, ...}"}), findings)) {
     ObjectReader object(root.value(), "", phrase(TRANSLATE_NOOP("problem", "a hand file")), findings);
     if (const Value* const version = object.find("underact_hand", true)) {

@@ -55,8 +55,8 @@ HandSetpoint onPath(const std::vector<HandPoint>& path, double t_s) noexcept UND
   const HandPoint& to = path[next];
   const double leg_s = to.t_s - from.t_s;
   const Profile profile = minimumJerk((t_s - from.t_s) / leg_s);
-  const Vec3 way_W = to.p_WT - from.p_WT;
-  HandSetpoint setpoint{from.p_WT + profile.share * way_W, (profile.rate / leg_s) * way_W, from.R_WT,
+  const Vec3 leg_W = to.p_WT - from.p_WT;
+  HandSetpoint setpoint{from.p_WT + profile.share * leg_W, (profile.rate / leg_s) * leg_W, from.R_WT,
                         from.turns && to.turns};
   if (setpoint.turns) setpoint.R_WT = turned(from.R_WT, to.R_WT, profile.share);
   return setpoint;

@@ -194,8 +194,8 @@ Column<N> ratesAfter(const Plant& plant, const Period<N>& period, const Moving<N
   const Shares shares = sharesOf(plant.integration.integrator);
   // Of dq and dq' in the dampers, and in the way from `at` to where the springs are evaluated, in s.
   const double old = shares.damping_begin, now = 1.0 - old;
-  const double old_s = -old * shares.way_begin * dt_s, now_s = now * (1.0 - shares.way_begin) * dt_s;
-  const bool has_old = shares.way_begin > 0.0;
+  const double old_s = -old * shares.travel_begin * dt_s, now_s = now * (1.0 - shares.travel_begin) * dt_s;
+  const bool has_old = shares.travel_begin > 0.0;
   if (wish.posture) {
     const Square<N> A =
         (1.0 + 2.0 * now * dt_s * kLead_rad_per_s + dt_s * now_s * kLead_rad_per_s * kLead_rad_per_s) * period.M +
@@ -261,13 +261,13 @@ PlantState jointsAtRest(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_
   arm::JointAngles q = state.q_rad;
   for (int step = 0; step < kSearch; ++step) {
     const Moving<N> at = movingAt<N>(arm, q);
-    const Vec3 way_W = *p_WT - at.p_WT;
-    if (way_W.norm() < (state.p_WT - *p_WT).norm()) state.q_rad = q, state.p_WT = at.p_WT;
-    if (way_W.norm() < kFound_m) break;
+    const Vec3 offset_W = *p_WT - at.p_WT;
+    if (offset_W.norm() < (state.p_WT - *p_WT).norm()) state.q_rad = q, state.p_WT = at.p_WT;
+    if (offset_W.norm() < kFound_m) break;
     SymmetricSystem<3> system;
     system.size = 3;
     const Mat3 square = acrossOf<N>(at.J_v) + kDamping_m2 * Mat3::Identity();
-    const Vec3 capped_W = way_W * std::min(1.0, 0.1 / way_W.norm());
+    const Vec3 capped_W = offset_W * std::min(1.0, 0.1 / offset_W.norm());
     for (std::size_t i = 0; i < 3; ++i) {
       system.b[i] = capped_W[static_cast<Eigen::Index>(i)];
       for (std::size_t j = 0; j <= i; ++j)
@@ -287,7 +287,7 @@ PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed,
   const arm::Mechanism& arm = *plant.arm.geometry.mechanism;
   const Period<N> period = periodOf<N>(plant, state);
   Column<N> dq = Eigen::Map<const Column<N>>(state.dq.data());
-  const double way_begin = sharesOf(plant.integration.integrator).way_begin;
+  const double travel_begin = sharesOf(plant.integration.integrator).travel_begin;
   HandSetpoint wish = setpoint;
   for (std::int64_t left_ns = period_ns; left_ns > 0;) {
     const std::int64_t step_ns = std::min(left_ns, plant.integration.substep_ns);
@@ -296,10 +296,11 @@ PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed,
     wish.p_WT = setpoint.p_WT - (kSecondPerNanosecond * static_cast<double>(left_ns)) * setpoint.v_WT;
     const Column<N> before_dq = dq;
     arm::JointAngles q = state.q_rad;  // in the middle of the substep, as far as dq tells
-    for (std::size_t joint = 0; joint < N; ++joint) q[joint] += way_begin * dt_s * dq[static_cast<Eigen::Index>(joint)];
+    for (std::size_t joint = 0; joint < N; ++joint)
+      q[joint] += travel_begin * dt_s * dq[static_cast<Eigen::Index>(joint)];
     const Moving<N> at = movingAt<N>(arm, q);
     dq = ratesAfter<N>(plant, period, at, torquesOf<N>(arm, at, pushed), wish, dt_s, q, dq);
-    move<N>(plant, dt_s, way_begin * before_dq + (1.0 - way_begin) * dq, dq, state.q_rad);
+    move<N>(plant, dt_s, travel_begin * before_dq + (1.0 - travel_begin) * dq, dq, state.q_rad);
   }
   const Moving<N> at = movingAt<N>(arm, state.q_rad);
   state.p_WT = at.p_WT;

@@ -8,7 +8,7 @@ namespace underact::sim {
 /// The weights of the velocities v at the beginning and v' at the end of a substep, which sum to 1: for the
 /// displacement, and for the dampers. Without a mass there is no initial velocity, and v' alone counts: both 0.
 struct Shares {
-  double way_begin = 0.0, damping_begin = 0.0;
+  double travel_begin = 0.0, damping_begin = 0.0;
 };
 
 /// Those of a mass that is integrated so.

@@ -30,7 +30,7 @@ struct Pull {
 /// impulse below the friction leaves v' = 0, and friction never reverses a direction.
 void substep(const Pull& pull, const Shares& shares, const Vec3& f_T_W, const Vec3& p_WH, const Vec3& v_WH, double dt_s,
              PlantState& state) noexcept UNDERACT_REAL_TIME {
-  const double begin_s = dt_s * shares.way_begin, end_s = dt_s - begin_s;
+  const double begin_s = dt_s * shares.travel_begin, end_s = dt_s - begin_s;
   const double spring = 1.0 - shares.damping_begin;  // share of the displacement after which the spring is evaluated
   const double b = pull.own_damping_N_s_per_m + pull.damping_N_s_per_m, k = pull.stiffness_N_per_m;
   const Vec3 p_WFree = state.p_WT + begin_s * state.v_WT;

@@ -52,7 +52,7 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
   const double swing_s = std::sqrt(wall.mass_kg / stiffness_N_per_m);
   plant.model.damping_N_s_per_m += 2.0 * wall.mass_kg / swing_s;  // critical
   plant.model.friction_N = 0.0;
-  lab::Loop loop(plant, wall.from_W, wall.rate_hz);
+  lab::SimulatedLoop loop(plant, wall.from_W, wall.rate_hz);
   tick::TickState state = makeState(program);
   for (int tick = ticksIn(kRamps_s + kSettling * swing_s, wall); tick-- > 0;) {
     const tick::TickReport& report = loop.tick(program, state);
@@ -65,21 +65,21 @@ Result<Vec3> restingPlace(const SceneWall& wall, const tick::TickProgram& progra
 
 /// The tip at rest, with the gate's ramps completed.
 struct AtRest {
-  lab::Loop loop;
+  lab::SimulatedLoop loop;
   tick::TickState state;
   double error_m = 0.0;
 };
 
 AtRest atRest(const SceneWall& wall, const tick::TickProgram& program, const sim::Plant& plant, const Vec3& p_WRest) {
-  AtRest rest{lab::Loop(plant, p_WRest, wall.rate_hz), makeState(program)};
+  AtRest rest{lab::SimulatedLoop(plant, p_WRest, wall.rate_hz), makeState(program)};
   for (int tick = ticksIn(kRamps_s, wall); tick-- > 0;) rest.error_m = errorOf(rest.loop.tick(program, rest.state));
   return rest;
 }
 
-SceneTrialResult follow(const SceneWall& wall, const tick::TickProgram& program, AtRest rest, const Vec3& way_W,
+SceneTrialResult follow(const SceneWall& wall, const tick::TickProgram& program, AtRest rest, const Vec3& direction_W,
                         double stiffness_N_per_m) {
   auto& [loop, state, rest_m] = rest;
-  loop.nudge(kSpeed_m_per_s * way_W.normalized());
+  loop.nudge(kSpeed_m_per_s * direction_W.normalized());
   const double swing_m = kSpeed_m_per_s * std::sqrt(wall.mass_kg / stiffness_N_per_m);
   const int min = ticksToObserve(wall.mass_kg, stiffness_N_per_m, loop.period_s());
   const bool is_smooth = wall.friction_N == 0.0 && !wall.encoders;
@@ -102,7 +102,7 @@ SceneTrialResult follow(const SceneWall& wall, const tick::TickProgram& program,
 
 // A direction oblique to all axes, and the opposite one, since a rim holds in one direction only; and another one,
 // which may excite what the first does not.
-const Vec3 kWays_W[]{{0.9, -0.5, 0.6}, {-0.9, 0.5, -0.6}, {1.0, 0.8, -0.6}};
+const Vec3 kDirections_W[]{{0.9, -0.5, 0.6}, {-0.9, 0.5, -0.6}, {1.0, 0.8, -0.6}};
 
 /// one: the scene with the constraint in question alone.
 Result<SceneTrialResult> tryOne(const SceneWall& wall, const scene::Description& one, double stiffness_N_per_m) {
@@ -114,9 +114,9 @@ Result<SceneTrialResult> tryOne(const SceneWall& wall, const scene::Description&
   if (!p_WRest) return p_WRest.problems();
   const AtRest rest = atRest(wall, program.value(), plant, p_WRest.value());
   SceneTrialResult worst;
-  for (const Vec3& way_W : kWays_W) {
-    const SceneTrialResult trial = follow(wall, program.value(), rest, way_W, stiffness_N_per_m);
-    if (&way_W != &kWays_W[2]) worst.holds = worst.holds && trial.holds;
+  for (const Vec3& direction_W : kDirections_W) {
+    const SceneTrialResult trial = follow(wall, program.value(), rest, direction_W, stiffness_N_per_m);
+    if (&direction_W != &kDirections_W[2]) worst.holds = worst.holds && trial.holds;
     worst.min_energy_J = std::min(worst.min_energy_J, trial.min_energy_J);
     worst.is_passive = worst.is_passive && trial.is_passive;
     const bool worse = std::pair(trial.trial.behaviour, trial.trial.amplitude_m) >=

@@ -22,7 +22,7 @@ struct Cells {
   /// Runs one cell. A function of index (below count) and seed alone: independent of clock, thread, rank and order of
   /// calls. Called by several threads at once, so it must not change what they share. Problems end the sweep; a failure
   /// within a simulation (a fault, a limit that was not found) is a result and belongs in the row.
-  std::function<Result<Row>(std::size_t index, std::uint64_t seed)> run;
+  std::function<Result<SweepRow>(std::size_t index, std::uint64_t seed)> run;
   /// The command that makes a cell's row again on its own, for a shell; it gives the same numbers, to the bit.
   /// Empty: there is none.
   std::function<std::string(std::size_t index, std::uint64_t seed)> command = {};
@@ -31,7 +31,7 @@ struct Cells {
 };
 
 /// A kind of sweep: a row of the catalogue (app/sweeper/catalogue.cpp).
-struct Kind {
+struct SweepKind {
   std::string key;       // "hands": its name on the command line, in files and results
   std::string question;  // that it answers, one sentence
   std::vector<Option> options;

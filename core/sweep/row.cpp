@@ -15,17 +15,17 @@ std::string inQuotes(std::string_view text) {
 
 }  // namespace
 
-void Row::addRaw(std::string_view field) {
+void SweepRow::addRaw(std::string_view field) {
   if (fields_++ > 0) text_ += ',';
   text_ += field;
 }
 
-void Row::add(double value) {
+void SweepRow::add(double value) {
   if (std::isfinite(value)) return addRaw(json::numberText(value));
   addRaw(std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf");
 }
 
-void Row::add(std::string_view text) {
+void SweepRow::add(std::string_view text) {
   std::string line(text);
   for (char& message : line) {
     if (static_cast<unsigned char>(message) < 0x20U) message = ' ';

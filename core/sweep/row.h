@@ -7,7 +7,7 @@
 namespace underact::sweep {
 
 /// One line of the result, built field by field, as CSV.
-class Row {
+class SweepRow {
  public:
   /// A number that reads back to the same double; "nan", "inf" and "-inf" where it is not finite.
   void add(double value);

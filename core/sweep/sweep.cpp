@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxCells = 10'000'000;  // their rows fit into the memory of any machine
 
-std::string headerOf(const Kind& kind, const Options& options, std::uint64_t seed, const Cells& cells) {
+std::string headerOf(const SweepKind& kind, const Options& options, std::uint64_t seed, const Cells& cells) {
   std::string text = "# underact-sweep: 1\n";
   const auto add = [&text](const std::string& name, const std::string& value) {
     text += "# " + name + ": " + value + "\n";
@@ -25,7 +25,7 @@ std::string headerOf(const Kind& kind, const Options& options, std::uint64_t see
   add("seed", std::to_string(seed));
   add("options", options.canonical());
   for (const auto& [file, checksum] : cells.files) {
-    Row name;  // so that a file name cannot make a second line
+    SweepRow name;  // so that a file name cannot make a second line
     name.add(file);
     add("file", checksum + " " + name.text());
   }
@@ -34,7 +34,7 @@ std::string headerOf(const Kind& kind, const Options& options, std::uint64_t see
 }
 
 std::string columnsOf(const Cells& cells) {
-  Row row;
+  SweepRow row;
   row.add("cell");
   row.add("seed");
   for (const std::string& column : cells.columns) row.add(column);
@@ -47,7 +47,7 @@ Problems inCell(std::size_t cell, const std::string& sentence) {
 
 }  // namespace
 
-Result<Sweep> makeSweep(const Kind& kind, const Options::Values& given, std::uint64_t seed) {
+Result<Sweep> makeSweep(const SweepKind& kind, const Options::Values& given, std::uint64_t seed) {
   Result<Options> options = Options::from(kind.options, given);
   if (!options) return options.problems();
   Result<Cells> cells = kind.make(options.value());
@@ -78,7 +78,7 @@ std::uint64_t seedOf(const Sweep& sweep, std::size_t cell) {
 Result<std::string> rowOf(const Sweep& sweep, std::size_t cell) {
   const std::uint64_t seed = seedOf(sweep, cell);
   try {
-    const Result<Row> row = sweep.cells.run(cell, seed);
+    const Result<SweepRow> row = sweep.cells.run(cell, seed);
     if (!row) return inCell(cell, row.problems().front().sentence);
     if (row.value().fields() != sweep.cells.columns.size())
       return inCell(cell, "The number of fields in its row differs from that of the columns; the kind " + sweep.kind +

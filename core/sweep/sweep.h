@@ -18,7 +18,7 @@ struct Sweep {
 };
 
 /// Makes a sweep of that kind. Problems: those of the options and of the kind; no cells.
-Result<Sweep> makeSweep(const Kind& kind, const Options::Values& given, std::uint64_t seed);
+Result<Sweep> makeSweep(const SweepKind& kind, const Options::Values& given, std::uint64_t seed);
 
 /// The seed of a cell: below 2^53, so that a table read as doubles has it exactly. Independent of rank, thread and
 /// order.

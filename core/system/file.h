@@ -38,11 +38,11 @@ Descriptor makeFile(const std::string& path, Making making, Readers readers);
 int makeOwnersFolder(const std::string& path);
 
 /// The kind of an entry of a folder.
-enum class Kind : std::uint8_t { File, Folder, Link, Other };
+enum class FileKind : std::uint8_t { File, Folder, Link, Other };
 
 /// What the system says of a file.
 struct Status {
-  Kind kind = Kind::Other;
+  FileKind kind = FileKind::Other;
   std::uint64_t bytes = 0;
   std::int64_t changed_ns = 0;
   std::uint64_t disk = 0, number = 0;  // together unique among existing files

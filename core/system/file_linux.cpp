@@ -23,10 +23,10 @@ int reasonOf(int result) {
 std::optional<Status> statusFrom(int result, const struct stat& file) {
   if (result != 0) return {};
   Status status;
-  status.kind = S_ISREG(file.st_mode)   ? Kind::File
-                : S_ISDIR(file.st_mode) ? Kind::Folder
-                : S_ISLNK(file.st_mode) ? Kind::Link
-                                        : Kind::Other;
+  status.kind = S_ISREG(file.st_mode)   ? FileKind::File
+                : S_ISDIR(file.st_mode) ? FileKind::Folder
+                : S_ISLNK(file.st_mode) ? FileKind::Link
+                                        : FileKind::Other;
   status.bytes = static_cast<std::uint64_t>(file.st_size);
   status.changed_ns = std::int64_t{file.st_mtim.tv_sec} * 1'000'000'000 + file.st_mtim.tv_nsec;
   status.disk = file.st_dev;

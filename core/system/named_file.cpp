@@ -22,9 +22,9 @@ Problems failed(const std::string& path, const char* pattern) {
 
 /// The problem of opening such a file; none: it may be opened.
 Problems judge(const Status& file, const std::string& path, const Sentence& what) {
-  if (file.kind == Kind::Folder)
+  if (file.kind == FileKind::Folder)
     return problemOf(path, phrase(TRANSLATE_NOOP("problem", "This is a folder, not %1 file."), {what}));
-  if (file.kind == Kind::File) return {};
+  if (file.kind == FileKind::File) return {};
   return problemOf(path, phrase(TRANSLATE_NOOP("problem",
                                                "This is a pipe, a device or a socket, not a regular file, so %1 is not "
                                                "read from it. Save its output to a file, and give that file."),

@@ -11,7 +11,7 @@ namespace underact::system {
 namespace {
 
 bool mayBeReplaced(const Status& there, Existing existing) {
-  return there.kind == Kind::File || (there.kind == Kind::Link && existing != Existing::ReplaceFile);
+  return there.kind == FileKind::File || (there.kind == FileKind::Link && existing != Existing::ReplaceFile);
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ bool mayBeReplaced(const Status& there, Existing existing) {
 Problems checkNew(const std::string& path, Existing existing) {
   const std::optional<Status> there = statusOf(path, Links::Refuse);
   if (!there) return {};  // missing; any other problem shows when it is made
-  if (existing == Existing::ReplaceFile && there->kind == Kind::Link)
+  if (existing == Existing::ReplaceFile && there->kind == FileKind::Link)
     return {{phrase(TRANSLATE_NOOP("problem",
                                    "This is a link to another file, which would be changed instead. Give the name of "
                                    "that file.")),

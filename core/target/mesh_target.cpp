@@ -41,11 +41,11 @@ Vec3 ontoMesh(const MeshPlace& place, const MeshState& state, const Vec3& p_W) n
 }
 
 Vec3 shadingOffset(const MeshPlace& place, const MeshState& state, const Vec3& p_WT, const Vec3& p_WP) noexcept {
-  const Vec3 way_W = p_WT - p_WP;
-  const double length_m = way_W.norm();
+  const Vec3 offset_W = p_WT - p_WP;
+  const double length_m = offset_W.norm();
   if (!place.lean.isThere() || !(length_m > 0.0)) return Vec3::Zero();
   // A scale below 0 reflects both directions, so the displacement along the surface is the same.
-  const Vec3 u_M = place.R_WM.transpose() * (way_W / length_m);
+  const Vec3 u_M = place.R_WM.transpose() * (offset_W / length_m);
   const Vec3 leaning_M = shadedDirection(*place.surface, alongSurface(place, state, p_WT), u_M, place.lean);
   return length_m * (place.R_WM * (u_M - leaning_M));
 }

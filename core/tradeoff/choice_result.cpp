@@ -67,7 +67,7 @@ std::vector<ChoiceResult> measureChoices(const scene::Description& scene, const 
   const auto tell = [&] { return goes_on(static_cast<double>(done++) / static_cast<double>(cells)); };
   std::vector<ChoiceResult> choice_results;
   for (const Choice* choice : asked) {
-    std::vector<Row> rows;
+    std::vector<TradeoffRow> rows;
     ChoiceResult choice_result{choice, base, {}};
     const std::vector<Entry> entries = entriesWithOwn(*choice, base);
     for (const NamedHand& hand : hands) {

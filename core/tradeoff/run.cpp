@@ -65,7 +65,7 @@ Result<Run> run(const Bench& bench, const Settings& settings, bool exact) {
   const scene::Description scene = withSettings(bench.scene, settings);
   const Result<tick::TickProgram> program = scene::compile(scene);
   if (!program) return program.problems();
-  lab::Loop loop(plantOf(bench, scene, exact), setpointAt(bench.hand, 0).p_WT, settings.rate_hz);
+  lab::SimulatedLoop loop(plantOf(bench, scene, exact), setpointAt(bench.hand, 0).p_WT, settings.rate_hz);
   tick::TickState state = makeState(program.value());
   const auto ticks = static_cast<std::size_t>(bench.seconds * settings.rate_hz);
   lab::Stopwatch of_tick(ticks), of_arm(ticks);

@@ -41,10 +41,10 @@ std::vector<Entry> entriesOf(const Choice& choice, const Settings& base) {
 
 }  // namespace
 
-Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const std::string& option) {
+Summary summaryOf(const std::vector<TradeoffRow>& rows, const std::string& choice, const std::string& option) {
   std::vector<double> p50, p99, costs, errors;
   Summary summary{choice, option};
-  for (const Row& row : rows) {
+  for (const TradeoffRow& row : rows) {
     if (row.choice != choice || row.option != option) continue;
     p50.push_back(row.figures.cost.p50_ns);
     p99.push_back(row.figures.cost.p99_ns);
@@ -58,15 +58,15 @@ Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const
   summary.p99_ns = lab::quantile(p99, 0.5);
   summary.cost_us_per_s = lab::quantile(costs, 0.5);
   summary.error = lab::quantile(errors, 0.9);
-  const auto run = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+  const auto run = std::find_if(rows.begin(), rows.end(), [&](const TradeoffRow& row) {
     return row.choice == choice && row.option == option && row.figures.error == summary.error;
   });
   summary.scene = run->scene, summary.hand = run->hand;
   return summary;
 }
 
-std::vector<Row> measureRows(const Plan& plan, const Progress& goes_on) {
-  std::vector<Row> rows;
+std::vector<TradeoffRow> measureRows(const Plan& plan, const Progress& goes_on) {
+  std::vector<TradeoffRow> rows;
   const std::vector<Cell> cells = cellsOf(plan);
   std::size_t runs = 0, done = 0;
   for (const Cell& cell : cells) runs += cell.choice->options.size();
@@ -97,7 +97,7 @@ void recommend(double bound, std::vector<Summary>& options) {
   if (best != nullptr) best->is_recommended = true;
 }
 
-std::vector<Summary> summaryOf(const std::vector<Row>& rows) {
+std::vector<Summary> summaryOf(const std::vector<TradeoffRow>& rows) {
   std::vector<Summary> all;
   for (const Choice& choice : choices()) {
     std::vector<Summary> options;

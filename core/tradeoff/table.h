@@ -8,7 +8,7 @@
 namespace underact::tradeoff {
 
 /// The result for one option of one choice, with one scene and one hand.
-struct Row {
+struct TradeoffRow {
   std::string scene, hand, choice, option;
   Figures figures;
   bool is_default = false;  // the scene's own value, or the program's default
@@ -38,7 +38,7 @@ using Progress = std::function<bool(double share)>;
 
 /// Measures every option of every choice, for each scene and each hand, except options that a scene does not have (a
 /// closed form that does not exist). Errors are reproducible; times are of this machine.
-std::vector<Row> measureRows(const Plan& plan, const Progress& goes_on);
+std::vector<TradeoffRow> measureRows(const Plan& plan, const Progress& goes_on);
 
 /// The result for one option over all runs.
 struct Summary {
@@ -58,10 +58,10 @@ inline constexpr double kSameCost = 0.1;
 
 /// The summaries, in the order of the catalogue. Of the options whose error is within the choice's bound and whose cost
 /// is within kSameCost of the cheapest of these, the one with the least error is recommended, of equals the first.
-std::vector<Summary> summaryOf(const std::vector<Row>& rows);
+std::vector<Summary> summaryOf(const std::vector<TradeoffRow>& rows);
 
 /// The summary of one option of one choice over its rows, not marked. runs is 0 where there are none.
-Summary summaryOf(const std::vector<Row>& rows, const std::string& choice, const std::string& option);
+Summary summaryOf(const std::vector<TradeoffRow>& rows, const std::string& choice, const std::string& option);
 
 /// Marks the recommended option of one choice, by the same rule.
 void recommend(double bound, std::vector<Summary>& options);

@@ -143,7 +143,7 @@ Connection connectionOf(tcp::socket socket) {
   return Connection(std::make_shared<Connection::Impl>(beast::tcp_stream(std::move(socket))));
 }
 
-Connection::Connection(Loop& loop) : impl_(std::make_shared<Impl>(beast::tcp_stream(loop.impl().context))) {}
+Connection::Connection(EventLoop& loop) : impl_(std::make_shared<Impl>(beast::tcp_stream(loop.impl().context))) {}
 Connection::Connection(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Connection::~Connection() = default;
 Connection::Connection(Connection&&) noexcept = default;

@@ -43,7 +43,7 @@ class Connection {
  public:
   struct Impl;  // Beast's stream, and what is under way
   /// Not connected yet. loop: outlives it.
-  explicit Connection(Loop& loop);
+  explicit Connection(EventLoop& loop);
   explicit Connection(std::shared_ptr<Impl> impl);  // for this room alone
   ~Connection();
   /// What was moved from can only be destroyed.

@@ -14,29 +14,29 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-Loop::Loop() : impl_(std::make_unique<Impl>()) {}
-Loop::~Loop() = default;
+EventLoop::EventLoop() : impl_(std::make_unique<Impl>()) {}
+EventLoop::~EventLoop() = default;
 
-void Loop::run() {
+void EventLoop::run() {
   const auto stays = asio::make_work_guard(impl_->context);
   impl_->context.run();
 }
 
-void Loop::stop() {
+void EventLoop::stop() {
   impl_->context.stop();
 }
 
-bool Loop::runOneUntil(std::chrono::steady_clock::time_point end) {
+bool EventLoop::runOneUntil(std::chrono::steady_clock::time_point end) {
   impl_->context.restart();  // where all was done the last time, it has stopped
   return impl_->context.run_one_until(end) > 0;
 }
 
-void Loop::poll() {
+void EventLoop::poll() {
   impl_->context.restart();
   impl_->context.poll();
 }
 
-void Loop::post(std::function<void()> what) {
+void EventLoop::post(std::function<void()> what) {
   asio::post(impl_->context, std::move(what));
 }
 
@@ -44,7 +44,7 @@ struct Timer::Impl {
   asio::steady_timer timer;
 };
 
-Timer::Timer(Loop& loop) : impl_(new Impl{asio::steady_timer(loop.impl().context)}) {}
+Timer::Timer(EventLoop& loop) : impl_(new Impl{asio::steady_timer(loop.impl().context)}) {}
 Timer::~Timer() = default;
 
 void Timer::start(Milliseconds time, std::function<void()> then) {
@@ -68,7 +68,7 @@ struct Bell::Impl {
 #endif
 };
 
-Bell::Bell(Loop& loop) : impl_(std::make_unique<Impl>(loop.impl().context)) {}
+Bell::Bell(EventLoop& loop) : impl_(std::make_unique<Impl>(loop.impl().context)) {}
 
 Bell::~Bell() {
   forget();
@@ -101,7 +101,7 @@ struct Listener::Impl {
   tcp::acceptor acceptor;
 };
 
-Listener::Listener(Loop& loop) : impl_(new Impl{tcp::acceptor(loop.impl().context)}) {}
+Listener::Listener(EventLoop& loop) : impl_(new Impl{tcp::acceptor(loop.impl().context)}) {}
 Listener::~Listener() = default;
 Listener::Listener(Listener&&) noexcept = default;
 

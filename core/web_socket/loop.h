@@ -13,13 +13,13 @@ using Milliseconds = std::chrono::milliseconds;  // all times of this room
 
 /// Waits for sockets and times, and calls what was asked for. One thread at a time; post() and stop() from any. What is
 /// made with it must not outlive it; what it was asked to call and has not, it never calls once it is gone.
-class Loop {
+class EventLoop {
  public:
   struct Impl;
-  Loop();  // nothing to wait for yet
-  ~Loop();
-  Loop(const Loop&) = delete;
-  Loop& operator=(const Loop&) = delete;
+  EventLoop();  // nothing to wait for yet
+  ~EventLoop();
+  EventLoop(const EventLoop&) = delete;
+  EventLoop& operator=(const EventLoop&) = delete;
 
   /// Until stop(), which may come first.
   void run();
@@ -42,7 +42,7 @@ class Loop {
 class Timer {
  public:
   /// loop: outlives it.
-  explicit Timer(Loop& loop);
+  explicit Timer(EventLoop& loop);
   ~Timer();
   /// Calls it after so much time, instead of what an earlier start() was for.
   void start(Milliseconds time, std::function<void()> then);
@@ -58,7 +58,7 @@ class Timer {
 class Bell {
  public:
   /// loop: outlives it.
-  explicit Bell(Loop& loop);
+  explicit Bell(EventLoop& loop);
   ~Bell();
   /// The next wait ends as soon as the descriptor is readable. It is the same one at each call until forget(). false:
   /// not on this system.
@@ -75,7 +75,7 @@ class Bell {
 class Listener {
  public:
   /// Not open yet. loop: outlives it.
-  explicit Listener(Loop& loop);
+  explicit Listener(EventLoop& loop);
   ~Listener();
   Listener(Listener&&) noexcept;  // the other one can only be destroyed
   /// port: 0: a free one. Why it is not possible; empty: it is.

@@ -8,7 +8,7 @@
 namespace underact::web_socket {
 
 /// What the files of this room know of a loop.
-struct Loop::Impl {
+struct EventLoop::Impl {
   boost::asio::io_context context{1};
 };
 

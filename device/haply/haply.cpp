@@ -10,7 +10,7 @@ constexpr int kLook_ms = 60;  // for the answer of a busy computer; if nobody li
 
 }  // namespace
 
-Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
+Result<std::unique_ptr<servo::DevicePort>> openArm(const Request& request) {
   const Result<Place> place = readPlace(request.address);
   if (!place) return place.problems();
   Result<std::unique_ptr<HaplyArm>> arm = HaplyArm::open(place.value(), request.arm.geometry, request.rate_hz);
@@ -18,7 +18,7 @@ Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
   return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
 }
 
-std::vector<Found> searchRow() {
+std::vector<Found> searchArms() {
   return searchAt({});
 }
 

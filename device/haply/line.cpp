@@ -20,7 +20,7 @@ constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes
 constexpr int kGoodbye_ms = 100;
 
 /// Runs until the answer is there or the time is over. false: no answer, or it is that something failed.
-bool cameIn(web_socket::Loop& loop, const std::optional<bool>& answer, int time_ms) {
+bool cameIn(web_socket::EventLoop& loop, const std::optional<bool>& answer, int time_ms) {
   const Clock::time_point end = Clock::now() + Milliseconds(time_ms);
   while (!answer && loop.runOneUntil(end)) continue;
   return answer && *answer;
@@ -41,7 +41,7 @@ struct Line::Impl {
     });
   }
 
-  web_socket::Loop loop;
+  web_socket::EventLoop loop;
   web_socket::Connection connection{loop};
   web_socket::Bell bell{loop};
   std::deque<std::string> kept;
@@ -121,7 +121,7 @@ bool Line::isOpen() const {
 }
 
 std::string getOverHttp(const Place& place, const std::string& target, int time_ms) {
-  web_socket::Loop loop;
+  web_socket::EventLoop loop;
   web_socket::Connection connection(loop);
   std::optional<bool> answer;
   connection.connect(place.host, place.port, [&answer](bool is_done) { answer = is_done; });

@@ -13,14 +13,14 @@ namespace {
 constexpr double kFarthest_m = 10.0;  // no arm reaches so far: such a place is a broken message
 constexpr std::size_t kLongestWord = 100;
 
-const json::Value* memberOf(const json::Value* value, std::string_view key, json::Kind kind) {
-  if (value == nullptr || value->kind != json::Kind::Object) return nullptr;
+const json::Value* memberOf(const json::Value* value, std::string_view key, json::JsonKind kind) {
+  if (value == nullptr || value->kind != json::JsonKind::Object) return nullptr;
   const json::Value* const found = value->find(key);
   return found != nullptr && found->kind == kind ? found : nullptr;
 }
 
 std::optional<double> numberOf(const json::Value& object, std::string_view key) {
-  const json::Value* const number = memberOf(&object, key, json::Kind::Number);
+  const json::Value* const number = memberOf(&object, key, json::JsonKind::Number);
   if (number == nullptr || !std::isfinite(number->number)) return std::nullopt;
   return number->number;
 }
@@ -46,12 +46,12 @@ std::optional<Mat3> rotationOf(const json::Value* object) {
 }
 
 void takeWord(const json::Value* value, std::string_view key, std::string& word) {
-  if (const json::Value* const text = memberOf(value, key, json::Kind::String))
+  if (const json::Value* const text = memberOf(value, key, json::JsonKind::String))
     word = text->text.substr(0, kLongestWord);
 }
 
 bool isOn(const json::Value* value, std::string_view key, bool otherwise) {
-  const json::Value* const flag = memberOf(value, key, json::Kind::Bool);
+  const json::Value* const flag = memberOf(value, key, json::JsonKind::Bool);
   return flag != nullptr ? flag->boolean : otherwise;
 }
 
@@ -66,7 +66,7 @@ void takeConfig(const json::Value* config, Told& told) {
   takeWord(config, "type", told.type);
   takeWord(config, "extended_firmware_version", told.firmware);
   for (const char* const name : {"coordinate_system", "basis"})  // v3.1, v3.5
-    takeWord(memberOf(config, name, json::Kind::Object), "permutation", told.axes);
+    takeWord(memberOf(config, name, json::JsonKind::Object), "permutation", told.axes);
   std::string origin;
   takeWord(config, "coordinate_origin", origin);
   if (!origin.empty()) told.is_middle_origin = origin == "workspace_center";
@@ -75,13 +75,13 @@ void takeConfig(const json::Value* config, Told& told) {
 /// Of the first grip that tells one: those with a cable have one button, the others a, b and c.
 void takeGrip(const json::Value& root, Told& told) {
   for (const char* const kind : {"custom_verse_grip", "wireless_verse_grip", "verse_grip"}) {
-    const json::Value* const grips = memberOf(&root, kind, json::Kind::Array);
+    const json::Value* const grips = memberOf(&root, kind, json::JsonKind::Array);
     if (grips == nullptr || grips->items.empty()) continue;
-    const json::Value* const state = memberOf(&grips->items.front(), "state", json::Kind::Object);
-    if (const std::optional<Mat3> R_HT = rotationOf(memberOf(state, "orientation", json::Kind::Object)))
+    const json::Value* const state = memberOf(&grips->items.front(), "state", json::JsonKind::Object);
+    if (const std::optional<Mat3> R_HT = rotationOf(memberOf(state, "orientation", json::JsonKind::Object)))
       told.R_HT = R_HT;
-    const json::Value* const buttons = memberOf(state, "buttons", json::Kind::Object);
-    if (buttons == nullptr && memberOf(state, "button", json::Kind::Bool) == nullptr) return;
+    const json::Value* const buttons = memberOf(state, "buttons", json::JsonKind::Object);
+    if (buttons == nullptr && memberOf(state, "button", json::JsonKind::Bool) == nullptr) return;
     told.buttons = isOn(state, "button", false) ? 1U : 0U;
     const std::array<const char*, 3> names{"a", "b", "c"};
     for (std::size_t bit = 0; bit < names.size(); ++bit)
@@ -107,25 +107,25 @@ const json::Value* findArm(const json::Value& arms, Told& told) {
 
 Heard hearMessage(std::string_view text, Told& told) {
   const Result<json::Value> root = json::parse(text, {});
-  if (!root || root.value().kind != json::Kind::Object) return Heard::Wrong;
+  if (!root || root.value().kind != json::JsonKind::Object) return Heard::Wrong;
   const json::Value* const arms = root.value().find("inverse3");
   if (arms == nullptr) return Heard::Nothing;
-  if (arms->kind != json::Kind::Array) return Heard::Wrong;
+  if (arms->kind != json::JsonKind::Array) return Heard::Wrong;
   Told now = told;
   const json::Value* const device = findArm(*arms, now);
   if (device == nullptr) {
     told.ids = now.ids;
     return Heard::Missing;
   }
-  const json::Value* const state = memberOf(device, "state", json::Kind::Object);
-  const std::optional<Vec3> p_HT = threeOf(memberOf(state, "cursor_position", json::Kind::Object), {"x", "y", "z"});
+  const json::Value* const state = memberOf(device, "state", json::JsonKind::Object);
+  const std::optional<Vec3> p_HT = threeOf(memberOf(state, "cursor_position", json::JsonKind::Object), {"x", "y", "z"});
   if (!p_HT || !(p_HT->norm() < kFarthest_m)) return Heard::Wrong;
   now.p_HT = *p_HT;
   const std::optional<Vec3> angles_deg =
-      threeOf(memberOf(state, "angular_position", json::Kind::Object), {"a0", "a1", "a2"});
+      threeOf(memberOf(state, "angular_position", json::JsonKind::Object), {"a0", "a1", "a2"});
   if (angles_deg) now.angles_deg = angles_deg;
-  takeConfig(memberOf(device, "config", json::Kind::Object), now);
-  const json::Value* const status = memberOf(device, "status", json::Kind::Object);
+  takeConfig(memberOf(device, "config", json::JsonKind::Object), now);
+  const json::Value* const status = memberOf(device, "status", json::JsonKind::Object);
   now.is_calibrated = isOn(status, "calibrated", now.is_calibrated);
   now.has_power = isOn(status, "power_supply", now.has_power);
   now.is_ready = isOn(status, "ready", now.is_ready);

@@ -33,13 +33,13 @@ std::string textOf(const char* text) {
 void describeAny(int joystick, DeviceState& seen) {
   GLFWgamepadstate pad{};
   if (::glfwGetGamepadState(joystick, &pad) == GLFW_TRUE) {
-    seen.kind = Kind::Controller;
+    seen.kind = InputKind::Controller;
     seen.name = textOf(::glfwGetGamepadName(joystick));
     takeAxes(pad.axes, GLFW_GAMEPAD_AXIS_LAST + 1, seen.readings);
     takeButtons(pad.buttons, GLFW_GAMEPAD_BUTTON_LAST + 1, seen.readings);
     return describeController(seen);
   }
-  seen.kind = Kind::Joystick;
+  seen.kind = InputKind::Joystick;
   seen.name = textOf(::glfwGetJoystickName(joystick));
   int axes = 0, buttons = 0, hats = 0;
   const float* const values = ::glfwGetJoystickAxes(joystick, &axes);

@@ -3,18 +3,18 @@
 #include <vector>
 
 #include "core/base/sentence.h"
-#include "device/catalogue.h"
+#include "device/driver.h"
 #include "device/input/motion.h"
 
 namespace underact::device::input {
 
-enum class Kind : std::uint8_t { Controller, Joystick, SpaceMouse };
+enum class InputKind : std::uint8_t { Controller, Joystick, SpaceMouse };
 
 /// An input device that is plugged in.
 struct DeviceState {
   std::string id;  // the same every time it is plugged in
   Sentence name;   // "Xbox Controller"
-  Kind kind = Kind::Joystick;
+  InputKind kind = InputKind::Joystick;
   Readings readings;
   std::vector<Sentence> axis_names, button_names;  // "left stick, right"; may be shorter: the others have numbers
   std::vector<Source> pairs;                       // of buttons and triggers that belong together

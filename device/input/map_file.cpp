@@ -49,7 +49,8 @@ void readWithin(ObjectReader& object, const char* key, double min, double max, d
 
 /// false, and a problem: it is not a number from 0 to most - 1.
 bool readIndex(const Value& value, const std::string& path, int max, int& into, Findings& findings) {
-  if (!json::isKind(value, json::Kind::Number, path, phrase(TRANSLATE_NOOP("problem", "a number, as in 0")), findings))
+  if (!json::isKind(value, json::JsonKind::Number, path, phrase(TRANSLATE_NOOP("problem", "a number, as in 0")),
+                    findings))
     return false;
   const bool is_one = value.number >= 0.0 && value.number < max && value.number == std::floor(value.number);
   if (is_one)
@@ -63,8 +64,8 @@ bool readIndex(const Value& value, const std::string& path, int max, int& into, 
 
 /// [positive, negative], each a number or null.
 void readPair(const Value& value, const std::string& path, int max, Source& source, Findings& findings) {
-  if (!json::isKind(value, json::Kind::Array, path, phrase(TRANSLATE_NOOP("problem", "a list of two, as in [4, 5]")),
-                    findings))
+  if (!json::isKind(value, json::JsonKind::Array, path,
+                    phrase(TRANSLATE_NOOP("problem", "a list of two, as in [4, 5]")), findings))
     return;
   if (value.items.size() != 2) {
     findings.add(value, path,
@@ -74,7 +75,7 @@ void readPair(const Value& value, const std::string& path, int max, Source& sour
   }
   const std::array<int*, 2> parts{&source.plus, &source.minus};
   for (std::size_t part = 0; part < 2; ++part) {
-    if (value.items[part].kind == json::Kind::Null) continue;
+    if (value.items[part].kind == json::JsonKind::Null) continue;
     readIndex(value.items[part], path + "[" + std::to_string(part) + "]", max, *parts[part], findings);
   }
 }
@@ -104,14 +105,14 @@ void readSource(ObjectReader& object, const Value& all, Source& source) {
 
 AxisMap readMotionAxis(const Value& value, const std::string& path, std::size_t motion, Findings& findings) {
   AxisMap map;
-  if (!json::isKind(value, json::Kind::Object, path,
+  if (!json::isKind(value, json::JsonKind::Object, path,
                     phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"axis\": 0}"}), findings))
     return map;
   ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a direction")), findings);
   readSource(object, value, map.source);
   if (const Value* const inverted = object.find("inverted")) {
     const std::string at = object.pathOf("inverted");
-    if (json::isKind(*inverted, json::Kind::Bool, at, phrase(TRANSLATE_NOOP("problem", "true or false")), findings))
+    if (json::isKind(*inverted, json::JsonKind::Bool, at, phrase(TRANSLATE_NOOP("problem", "true or false")), findings))
       map.inverted = inverted->boolean;
   }
   readWithin(object, "dead_zone", 0.0, kFurthestDeadZone, map.dead_zone);
@@ -126,7 +127,7 @@ AxisMap readMotionAxis(const Value& value, const std::string& path, std::size_t 
 }
 
 void readMotionAxes(const Value& value, Map& map, Findings& findings) {
-  if (!json::isKind(value, json::Kind::Object, "ways",
+  if (!json::isKind(value, json::JsonKind::Object, "ways",
                     phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"right\": {\"axis\": 0}}"}), findings))
     return;
   ObjectReader object(value, "ways", phrase(TRANSLATE_NOOP("problem", "a mapping")), findings);
@@ -138,7 +139,7 @@ void readMotionAxes(const Value& value, Map& map, Findings& findings) {
 }
 
 void readPresses(const Value& value, Map& map, Findings& findings) {
-  if (!json::isKind(value, json::Kind::Object, "buttons",
+  if (!json::isKind(value, json::JsonKind::Object, "buttons",
                     phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"stop\": 1}"}), findings))
     return;
   ObjectReader object(value, "buttons", phrase(TRANSLATE_NOOP("problem", "the buttons of a mapping")), findings);
@@ -190,7 +191,7 @@ Result<MapFile> readMap(std::string_view text, const std::string& file_name) {
   if (!root) return root.problems();
   Findings findings(file_name);
   MapFile file;
-  if (json::isKind(root.value(), json::Kind::Object, "",
+  if (json::isKind(root.value(), json::JsonKind::Object, "",
                    phrase(TRANSLATE_NOOP("problem", "an object, as in %1"), {"{\"underact_hand_map\": 1, ...}"}),
                    findings)) {
     ObjectReader object(root.value(), "", phrase(kMap), findings);

@@ -21,7 +21,7 @@ DeviceState describeNode(const HidNode& node, const SpaceMouseModel& model) {
   // Two of one model are distinguished by their serial number, if they have one.
   seen.id = "3d-" + std::string(model.name) + (node.serial.empty() ? "" : "-" + node.serial);
   seen.name = spaceMouseName(model);
-  seen.kind = Kind::SpaceMouse;
+  seen.kind = InputKind::SpaceMouse;
   seen.button_names = buttonNames(model);
   describeSpaceMouse(seen, escButton(model));
   return seen;

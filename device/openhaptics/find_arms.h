@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "device/catalogue.h"
+#include "device/driver.h"
 
 namespace underact::device::openhaptics {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "device/catalogue.h"
+#include "device/driver.h"
 #include "device/openhaptics/abi.h"
 
 namespace underact::device::openhaptics {

@@ -234,13 +234,13 @@ std::vector<std::string> OpenHapticsArm::listing() const {
   return openhaptics::listing(capabilities_, options_.arm);
 }
 
-Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
+Result<std::unique_ptr<servo::DevicePort>> openArm(const Request& request) {
   Result<std::unique_ptr<OpenHapticsArm>> arm = OpenHapticsArm::open({request.arm, request.rate_hz, request.address});
   if (!arm) return arm.problems();
   return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
 }
 
-std::vector<Found> searchRow() {
+std::vector<Found> searchArms() {
   return findArms(places(), missing());
 }
 

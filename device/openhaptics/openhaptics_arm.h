@@ -6,7 +6,7 @@
 
 #include "core/arm/preset.h"
 #include "core/servo/device_port.h"
-#include "device/catalogue.h"
+#include "device/driver.h"
 #include "device/openhaptics/capabilities.h"
 #include "device/openhaptics/frames.h"
 
@@ -64,7 +64,7 @@ class OpenHapticsArm final : public servo::DevicePort {
 };
 
 /// For the catalogue.
-Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request);
-std::vector<Found> searchRow();
+Result<std::unique_ptr<servo::DevicePort>> openArm(const Request& request);
+std::vector<Found> searchArms();
 
 }  // namespace underact::device::openhaptics

@@ -62,7 +62,7 @@ class Writer {
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
-  bool isDone() const { return is_well_ && left_.empty(); }
+  bool isDone() const { return is_ok_ && left_.empty(); }
   template <class Unsigned>
   Unsigned take() {
     if (left_.size() < sizeof(Unsigned)) return fail(Unsigned{0});
@@ -109,11 +109,11 @@ class Reader {
  private:
   template <class T>
   T fail(T nothing) {
-    is_well_ = false;
+    is_ok_ = false;
     return nothing;
   }
   std::span<const std::uint8_t> left_;
-  bool is_well_ = true;
+  bool is_ok_ = true;
 };
 
 std::vector<std::uint8_t> written(const SampleMessage& message) {

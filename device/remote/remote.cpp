@@ -11,7 +11,7 @@ constexpr int kPoll_ms = 60;  // for the handshake on a busy computer; if nobody
 
 }  // namespace
 
-Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
+Result<std::unique_ptr<servo::DevicePort>> openArm(const Request& request) {
   const Result<Address> address = readAddress(request.address);
   if (!address) return address.problems();
   const Result<Endpoint> endpoint = endpointOf(address.value(), KeyFolder());
@@ -21,7 +21,7 @@ Result<std::unique_ptr<servo::DevicePort>> openRow(const Request& request) {
   return std::unique_ptr<servo::DevicePort>(std::move(arm).value());
 }
 
-std::vector<Found> searchRow() {
+std::vector<Found> searchArms() {
   const Address here;
   if (!KeyFolder().hasOwn()) return {};  // a user without a key shares nothing, and looking creates none
   const Result<Endpoint> endpoint = endpointOf(here, KeyFolder());

@@ -1,5 +1,5 @@
 #pragma once
-#include "device/catalogue.h"
+#include "device/driver.h"
 #include "device/wooden_haptics/hid_bus.h"
 
 namespace underact::device {

@@ -1358,8 +1358,8 @@ Grenze: %4 (%5).</translation>
         <translation>Kra&amp;ftellipsoid (f)</translation>
     </message>
     <message>
-        <source>The forces for joint torques of magnitude 0.05 N m, to the scale of the force arrow.</source>
-        <translation>Die Kräfte bei Gelenkdrehmomenten vom Betrag 0,05 N m, im Maßstab des Kraftpfeils.</translation>
+        <source>The forces for joint torques of one magnitude, which the panel Kinematics names, to the scale of the force arrow.</source>
+        <translation>Die Kräfte bei Gelenkdrehmomenten von einem Betrag, den das Panel Kinematik nennt, im Maßstab des Kraftpfeils.</translation>
     </message>
     <message>
         <source>Mes&amp;h: triangles</source>
@@ -3085,8 +3085,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der Arm der Szene: Gelenkwinkel, Lage der Spitze und Fehler.</translation>
     </message>
     <message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
     </message>
     <message>
         <source>Measures the smallest difference of stiffness that a hand can feel, with two beams.</source>
@@ -4000,8 +4000,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>A calibration needs a scene with two beams: two virtual robots, each with one revolute joint and a spring. Open the scene "Two beams, one softer".</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk und einer Feder. Öffnen Sie die Szene „Zwei Balken, einer weicher“.</translation>
+        <source>A threshold measurement needs a scene with two beams: two virtual robots, each with one revolute joint and a spring. Open the scene "Two beams, one softer".</source>
+        <translation>Eine Schwellenmessung braucht eine Szene mit zwei Balken: zwei virtuelle Roboter, jeder mit einem Drehgelenk und einer Feder. Öffnen Sie die Szene „Zwei Balken, einer weicher“.</translation>
     </message>
     <message>
         <source>Joint %1: the axis has no direction.</source>
@@ -7643,8 +7643,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zwei Balken, einer weicher</translation>
     </message>
     <message>
-        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down, and tell which is stiffer. Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), whose end effector follows the deflection curve of the beam to within half a percent of its length. The panel Calibration measures how small a difference you can feel.</source>
-        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Endeffektor der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Kalibrierung misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
+        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down, and tell which is stiffer. Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), whose end effector follows the deflection curve of the beam to within half a percent of its length. The panel Threshold measures how small a difference you can feel.</source>
+        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Endeffektor der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Schwelle misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
     </message>
     <message>
         <source>Two beams that bend, one softer than the other.</source>
@@ -8496,20 +8496,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>Centre</source>
         <translation>Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
     </message>
     <message>
         <source>Through</source>
@@ -8520,8 +8508,20 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Normale</translation>
     </message>
     <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
         <source>x axis</source>
         <translation>x-Achse</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -9501,7 +9501,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>&amp;Layout</source>
-        <translation>La&amp;yout</translation>
+        <translation>Layo&amp;ut</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
@@ -9534,6 +9534,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Scene saved as %1.</source>
         <translation>Szene gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came.</source>
+        <translation>Eingestellt wie zuletzt. Rückgängig (Strg+Z) stellt die Szene wieder her, wie sie kam.</translation>
     </message>
     <message>
         <source>&amp;Open file…</source>
@@ -9986,8 +9990,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Öffnet die Szene „Zwei Balken, einer weicher“.</translation>
     </message>
     <message>
-        <source>A calibration needs a scene with two beams whose stiffness can be set. This scene has no such beams.</source>
-        <translation>Eine Kalibrierung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine solchen Balken.</translation>
+        <source>A threshold measurement needs a scene with two beams whose stiffness can be set. This scene has no such beams.</source>
+        <translation>Eine Schwellenmessung braucht eine Szene mit zwei Balken, deren Steifigkeit sich einstellen lässt. Diese Szene hat keine solchen Balken.</translation>
     </message>
     <message>
         <source>Answers that the %1 beam is stiffer; possible once you have pressed both.</source>
@@ -11190,6 +11194,10 @@ und %2 weitere</translation>
 <context>
     <name>underact::gui::Document</name>
     <message>
+        <source>tuning of last time</source>
+        <translation>Einstellung vom letzten Mal</translation>
+    </message>
+    <message>
         <source>edits</source>
         <translation>Änderungen</translation>
     </message>
@@ -11742,7 +11750,7 @@ und %2 weitere</translation>
     <name>underact::gui::GainSection</name>
     <message>
         <source>L&amp;ink x, y and z</source>
-        <translation>x, y, z &amp;koppeln</translation>
+        <translation>x, y, z k&amp;oppeln</translation>
     </message>
     <message>
         <source>Link x, y and z</source>
@@ -11754,7 +11762,7 @@ und %2 weitere</translation>
     </message>
     <message>
         <source>L&amp;ink q1, q2 and q3</source>
-        <translation>q1, q2, q3 &amp;koppeln</translation>
+        <translation>q1, q2, q3 k&amp;oppeln</translation>
     </message>
 </context>
 <context>
@@ -12818,8 +12826,8 @@ und %2 weitere</translation>
         <translation>%1, in der Ansicht</translation>
     </message>
     <message>
-        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for 0.05 N m.</source>
-        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei 0,05 N m.</translation>
+        <source>v: displacement of the tip for 0.25 rad of joint rotation. f: force for %1 N m.</source>
+        <translation>v: Weg der Spitze bei 0,25 rad Gelenkdrehung. f: Kraft bei %1 N m.</translation>
     </message>
     <message>
         <source>The replay moves the arm. Close the session to use the sliders.</source>
@@ -12832,6 +12840,30 @@ und %2 weitere</translation>
     <message>
         <source>The servo is running. Press Stop (Esc) to move the arm with the sliders.</source>
         <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm mit den Schiebereglern zu bewegen.</translation>
+    </message>
+    <message>
+        <source>The encoder of joint %1 steps by %2°: that is as near as it comes.</source>
+        <translation>Der Encoder von Gelenk %1 hat Schritte von %2°: Näher kommt es nicht.</translation>
+    </message>
+    <message>
+        <source>The replay moves the arm. Close the session to move it here.</source>
+        <translation>Die Wiedergabe bewegt den Arm. Schließen Sie die Sitzung, um ihn hier zu bewegen.</translation>
+    </message>
+    <message>
+        <source>A real arm is moved by hand.</source>
+        <translation>Einen echten Arm bewegt die Hand.</translation>
+    </message>
+    <message>
+        <source>The servo is running. Press Stop (Esc) to move the arm.</source>
+        <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Solution %1 does not exist here.</source>
+        <translation>Lösung %1 gibt es hier nicht.</translation>
+    </message>
+    <message>
+        <source>Solution %1 is outside the joint limits.</source>
+        <translation>Lösung %1 liegt außerhalb der Gelenkgrenzen.</translation>
     </message>
 </context>
 <context>
@@ -15771,6 +15803,10 @@ und %2 weitere</translation>
         <translation>Aufzeichnung gespeichert: %1 (%2)</translation>
     </message>
     <message>
+        <source>The recording %1 was cut off. Press Show to recover it.</source>
+        <translation>Die Aufzeichnung %1 brach ab. Mit „Zeigen“ können Sie sie retten.</translation>
+    </message>
+    <message>
         <source>&amp;Record</source>
         <translation>&amp;Aufzeichnen</translation>
     </message>
@@ -15927,12 +15963,16 @@ und %2 weitere</translation>
         <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage des Stifts ergeben; für einen Arm ohne geschlossene Form die, die eine Suche findet. Für einen haptischen Arm: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
     </message>
     <message>
-        <source>&amp;Go there</source>
-        <translation>&amp;Dorthin</translation>
+        <source>Show the &amp;way</source>
+        <translation>&amp;Weg zeigen</translation>
     </message>
     <message>
-        <source>Show &amp;none</source>
-        <translation>&amp;Keine zeigen</translation>
+        <source>Show none</source>
+        <translation>Keine zeigen</translation>
+    </message>
+    <message>
+        <source>Move the &amp;arm there</source>
+        <translation>&amp;Arm dorthin bewegen</translation>
     </message>
     <message>
         <source>Move the ghost to the selected solution</source>
@@ -15949,6 +15989,14 @@ und %2 weitere</translation>
     <message>
         <source>Removes the ghost of the selected solution.</source>
         <translation>Entfernt das Geisterbild der gewählten Lösung.</translation>
+    </message>
+    <message>
+        <source>Move the arm to the selected solution</source>
+        <translation>Den Arm zur gewählten Lösung bewegen</translation>
+    </message>
+    <message>
+        <source>Moves the simulated arm from the current joint angles to the selected solution.</source>
+        <translation>Bewegt den simulierten Arm von den jetzigen Gelenkwinkeln zur gewählten Lösung.</translation>
     </message>
     <message>
         <source>no.</source>

@@ -8,7 +8,6 @@
 #include <sstream>
 
 namespace underact::architecture {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -16,6 +15,8 @@ std::string textOf(const fs::path& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
+
+namespace {
 
 /// The room that a path lies in: the longest folder that it begins with.
 std::optional<std::string> roomOf(const Rooms& rooms, const std::string& path) {

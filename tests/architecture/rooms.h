@@ -7,6 +7,9 @@
 
 namespace underact::architecture {
 
+/// The content of a file.
+std::string textOf(const std::filesystem::path& path);
+
 /// The rooms of the top CMakeLists.txt: of each folder, the folders whose headers it may include (its own among them).
 using Rooms = std::map<std::string, std::set<std::string>>;
 

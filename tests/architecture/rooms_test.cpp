@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <functional>
+#include <map>
 #include <type_traits>
 
 #include "core/safety/gate.h"
@@ -69,13 +70,43 @@ TEST(House, EveryRoomOfTheWindowHasTestsOfItsOwn) {
 }
 
 TEST(House, TheRoomsOfTheRealHouseAreRead) {
-  std::ifstream file(fs::path(UNDERACT_SOURCE) / "CMakeLists.txt");
-  const Rooms rooms = roomsOf({std::istreambuf_iterator<char>(file), {}});
+  const Rooms rooms = roomsOf(textOf(fs::path(UNDERACT_SOURCE) / "CMakeLists.txt"));
   ASSERT_TRUE(rooms.contains("core/base"));
   ASSERT_TRUE(rooms.contains("app/cli"));
   EXPECT_TRUE(rooms.at("app/cli").contains("core/base"));  // by way of others
   EXPECT_FALSE(rooms.at("core/base").contains("core/tick"));
   EXPECT_GE(rooms.size(), 13U);
+}
+
+TEST(House, NoDriverIncludesTheCatalogueThatListsIt) {
+  for (const fs::directory_entry& file : fs::recursive_directory_iterator(fs::path(UNDERACT_SOURCE) / "device"))
+    if (file.is_regular_file() && file.path().parent_path().filename() != "device") {
+      EXPECT_EQ(textOf(file).find("\"device/catalogue.h\""), std::string::npos) << file.path();
+    }
+}
+
+/// A row for the rooms of each level, indented: they link to rooms of the rows above only. The features are one row.
+std::string drawingOf(const Rooms& rooms) {
+  std::map<std::string, std::size_t> levels;
+  const std::function<std::size_t(const std::string&)> levelOf = [&](const std::string& room) {
+    if (const auto known = levels.find(room); known != levels.end()) return known->second;
+    std::size_t level = 0;
+    for (const std::string& other : rooms.at(room)) level = other == room ? level : std::max(level, levelOf(other) + 1);
+    return levels[room] = level;
+  };
+  const std::size_t features = levelOf("app/gui/window") - 1;
+  std::map<std::size_t, std::string> rows{{features, " the features of app/gui"}};
+  for (const auto& [room, others] : rooms)
+    if (levelOf(room) != features) rows[levelOf(room)] += " " + room;
+  std::string drawing;
+  for (const auto& [level, row] : rows) drawing += "   " + row + "\n";
+  return drawing;
+}
+
+TEST(House, TheDrawingInContributingIsThatOfTheLinkLines) {
+  const std::string drawing = drawingOf(roomsOf(textOf(fs::path(UNDERACT_SOURCE) / "CMakeLists.txt")));
+  const std::string page = textOf(fs::path(UNDERACT_SOURCE) / "CONTRIBUTING.md");
+  EXPECT_NE(page.find("\n\n" + drawing + "\n"), std::string::npos) << "it should be\n" << drawing;
 }
 
 TEST_F(PlantedHouse, ThatIsInOrderHasNoViolation) {

@@ -1,5 +1,6 @@
 """resources/guide/glossary.md holds: none of the words it rules out is used, and each of its terms is."""
 
+import fnmatch
 import pathlib
 import re
 import unittest
@@ -7,6 +8,12 @@ import unittest
 ROOT = pathlib.Path(__file__).parents[2]
 GLOSSARY = ROOT / "resources/guide/glossary.md"
 ROW = re.compile(r"^\| (?P<term>[^|]+) \| [^|]+ \|[^|]*\|(?P<banned>[^|]*)\| (?P<german>[^|]+) \|$")
+NAMES = re.compile(r"^\| [^|]+ \| (?P<banned>`[^|]+) \|(?P<fixed>[^|]*)\|$", re.M)
+# What of a source is no code: a raw string, a string, a comment.
+NO_CODE = {
+    ".py": re.compile(r"\"\"\".*?\"\"\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])*'|#[^\n]*", re.S),
+    "": re.compile(r"R\"(\w*)\(.*?\)\1\"|\"(?:\\.|[^\"\\\n])*\"|(?<!\w)'(?:\\.|[^'\\\n])*'|//[^\n]*|/\*.*?\*/", re.S),
+}
 
 
 def rows():
@@ -17,6 +24,20 @@ def rows():
         for row in found
         if row["term"] not in ("term", "---")
     ]
+
+
+def names_ruled_out():
+    """Of the table for code: a pattern of the names ruled out, and one of those that are fixed phrases."""
+    found = [[], []]
+    for row in NAMES.finditer(GLOSSARY.read_text()):
+        for globs, cell in zip(found, (row["banned"], row["fixed"])):
+            globs += re.findall(r"`([^`]+)`", cell)
+    return [re.compile("|".join(fnmatch.translate(glob) for glob in globs)) for globs in found]
+
+
+def names_in(text, suffix):
+    """The names in the code of a source, without its strings and comments."""
+    return set(re.findall(r"[A-Za-z_]\w*", NO_CODE.get(suffix, NO_CODE[""]).sub(" ", text)))
 
 
 def texts():
@@ -62,6 +83,25 @@ class Glossary(unittest.TestCase):
                         for match in wrong.finditer(text)
                     ]
         self.assertEqual(found, [], "\n".join(found))
+
+    def test_no_name_in_code_is_one_that_is_ruled_out(self):
+        banned, fixed = names_ruled_out()
+        found = [
+            f"{path.relative_to(ROOT)}: {name}"
+            for folder in ["core", "device", "app"]
+            for path in sorted((ROOT / folder).rglob("*"))
+            if path.suffix in (".h", ".cpp", ".py", ".js")
+            for name in sorted(names_in(path.read_text(encoding="utf-8"), path.suffix))
+            if banned.match(name) and not fixed.match(name)
+        ]
+        self.assertEqual(found, [], "\n".join(found))
+
+    def test_a_name_is_found_in_code_alone(self):
+        banned, fixed = names_ruled_out()
+        names = names_in('int kMostRows = way_m + least_squares;  // said\nauto t = R"(usual "x)" + "isWell";', ".cpp")
+        self.assertEqual({name for name in names if banned.match(name)}, {"kMostRows", "way_m", "least_squares"})
+        self.assertTrue(fixed.match("least_squares") and not fixed.match("least_mass_kg"))
+        self.assertEqual(names_in('"""said"""\nway = "most"  # least\n', ".py"), {"way"})
 
     def test_a_comment_says_what_a_thing_is_not_that_it_is_the_same(self):
         found = [

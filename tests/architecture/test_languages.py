@@ -76,7 +76,7 @@ class Languages(unittest.TestCase):
             self.assertEqual(len(said), count, f"{source}: {said}")
 
     def test_the_german_has_one_word_for_a_thing(self):
-        page = (ROOT / "resources/guide/pages.md").read_text(encoding="utf-8")
+        page = (ROOT / "resources/languages/README.md").read_text(encoding="utf-8")
         rows = [row.split("|") for row in page.splitlines() if row.count("|") == 4]
         never = [word for row in rows for word in re.findall(r"`([^`]+)`", row[3])]
         self.assertGreater(len(never), 15)

@@ -135,7 +135,7 @@ class Page(unittest.TestCase):
 
     def runs(self, page: Shown, service: Service) -> None:
         page.connect(service)
-        self.assertTrue(page.comes(lambda: "mm" in page.text("tip")), page.text("said"))
+        self.assertTrue(page.comes(lambda: "mm" in page.text("tip")), page.text("message"))
 
     def test_shows_arm_constraint_force_and_plot_at_every_width(self) -> None:
         service = self.service("--start", "--allow-origin", "null")
@@ -245,7 +245,7 @@ class Page(unittest.TestCase):
             self.assertTrue(other.browser.run("document.querySelector('#sliders input').disabled"))
             self.assertTrue(other.of("start", "disabled"))
             other.of("lease", "click()")
-            self.assertTrue(other.comes(lambda: "steers, and has to give" in other.text("said")))
+            self.assertTrue(other.comes(lambda: "steers, and has to give" in other.text("message")))
             other.of("stop", "click()")
             self.assertTrue(one.comes(lambda: one.text("mode") == "Stopped"))
             one.of("lease", "click()")
@@ -256,16 +256,16 @@ class Page(unittest.TestCase):
         closed, opened = self.service(), self.service("--allow-origin", "null")
         with self.page() as page:
             page.connect(closed)
-            self.assertTrue(page.comes(lambda: "--allow-origin null" in page.text("said")))
+            self.assertTrue(page.comes(lambda: "--allow-origin null" in page.text("message")))
             page.connect(opened, "x" * 64)
             self.assertTrue(
-                page.comes(lambda: "token" in page.text("said").lower()), page.text("said")
+                page.comes(lambda: "token" in page.text("message").lower()), page.text("message")
             )
             page.browser.run("document.getElementById('token').value = ''")
             self.runs(page, opened)
             opened.process.terminate()
             self.assertTrue(
-                page.comes(lambda: page.text("said").startswith("The connection has ended."))
+                page.comes(lambda: page.text("message").startswith("The connection has ended."))
             )
             self.assertEqual(page.text("force"), "–")
 

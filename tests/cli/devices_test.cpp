@@ -27,7 +27,7 @@ TEST(Devices, AreObjectsForPrograms) {
   EXPECT_TRUE(has_simulated);
 }
 
-TEST(Devices, ThatDoNotExistAreRefusedWithThoseThatDo) {
+TEST(Devices, RefusesAnUnknownKindAndListsTheKnownOnes) {
   const Outcome outcome = runCli({"run", shipped("02_sphere.json"), "--seconds", "0.1", "--device", "toaster"});
   EXPECT_EQ(outcome.exit, Exit::Fault);
   EXPECT_NE(outcome.err.find("\"toaster\""), std::string::npos) << outcome.err;

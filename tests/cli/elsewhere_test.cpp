@@ -42,7 +42,7 @@ void expectNotFound(const Alone& alone, const std::string& words, const std::str
   EXPECT_NE(outcome.out.find(alone.at(place)), std::string::npos) << outcome.out;
 }
 
-TEST(Elsewhere, WhatIsMissingIsSaidWithThePlaces) {
+TEST(Elsewhere, NamesAMissingFileAndThePlacesSearched) {
   const Alone alone;
   expectNotFound(alone, "lesson list", "The lessons that come with Underact were not found in",
                  "share/underact/lessons");

@@ -17,7 +17,7 @@ using json::Value;
 
 /// A part of a file, as text: lists of numbers only.
 std::string numbersText(const Value& value) {
-  if (value.kind == json::Kind::Number) return json::numberText(value.number);
+  if (value.kind == json::JsonKind::Number) return json::numberText(value.number);
   std::string list;
   for (const Value& item : value.items) list += (list.empty() ? "" : ", ") + numbersText(item);
   return "[" + list + "]";
@@ -40,7 +40,7 @@ std::vector<Value> commandAnswers(const std::vector<std::string>& command, const
 }
 
 double furthest(const Value& a, const Value& b) {  // of lists of numbers of the same shape
-  if (a.kind == json::Kind::Number && b.kind == json::Kind::Number) return std::abs(a.number - b.number);
+  if (a.kind == json::JsonKind::Number && b.kind == json::JsonKind::Number) return std::abs(a.number - b.number);
   if (a.items.size() != b.items.size()) return kInfinity;
   double furthest_so_far = 0.0;
   for (std::size_t index = 0; index < a.items.size(); ++index) {
@@ -95,7 +95,7 @@ TEST(KinematicsCommands, InverseGivesTheCountsOfTheGoldenPosesAndEachReachesItsP
         EXPECT_EQ(std::abs(one.find("branch")->find(part)->number), 1.0);
       }
       if (status == "regular") {
-        EXPECT_EQ(one.find("family")->kind, json::Kind::Null);
+        EXPECT_EQ(one.find("family")->kind, json::JsonKind::Null);
       }
       if (status == "shoulder_singular") {
         EXPECT_EQ(one.find("family")->text, "q1 free");
@@ -121,10 +121,10 @@ TEST(KinematicsCommands, JacobianMeetsTheGoldenFile) {
     const Value& wanted = *cases[index].find("cond_Jp");
     const Value& condition = *all[index].find("condition_Jp");
     ASSERT_EQ(condition.kind, wanted.kind) << index;
-    if (wanted.kind == json::Kind::Number) {
+    if (wanted.kind == json::JsonKind::Number) {
       EXPECT_NEAR(condition.number / wanted.number, 1.0, 1e-12 * wanted.number);
     }
-    const bool at_position = wanted.kind == json::Kind::Null;
+    const bool at_position = wanted.kind == json::JsonKind::Null;
     EXPECT_EQ(!all[index].find("singular")->items.empty(),
               at_position || cases[index].find("near_singular_J6")->boolean)
         << index;
@@ -165,8 +165,8 @@ TEST(KinematicsCommands, EveryShippedArmGoesThereAndBackByEveryMethod) {
         EXPECT_LE(furthest(*lines(back).at(0).find("X_WT"), *lines(there).at(0).find("X_WT")), iterated ? 2e-6 : 1e-9)
             << model.name << " " << method;
       }
-      const json::Kind branch = all[0].find("solutions")->items[0].find("branch")->kind;
-      EXPECT_EQ(branch, iterated ? json::Kind::Null : json::Kind::Object) << model.name << " " << method;
+      const json::JsonKind branch = all[0].find("solutions")->items[0].find("branch")->kind;
+      EXPECT_EQ(branch, iterated ? json::JsonKind::Null : json::JsonKind::Object) << model.name << " " << method;
     }
   }
 }

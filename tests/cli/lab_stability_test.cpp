@@ -34,7 +34,7 @@ TEST(LabStability, OneStiffnessIsLabelled) {
   EXPECT_EQ(labelAt("500", "0.26"), "rest");  // which is what the arm's nominal stiffness stands on
 }
 
-TEST(LabStability, WhatIsNotLinearHasNoExactLimit) {
+TEST(LabStability, GivesNoExactLimitForANonlinearWall) {
   const Outcome outcome = runCli({"lab", "stability", "--friction_N", "0.26", "--json"});
   ASSERT_EQ(outcome.exit, Exit::Success) << outcome.err;
   EXPECT_TRUE(isNullAt(lines(outcome.out).at(0), "exact_limit_N_per_m"));
@@ -76,7 +76,7 @@ TEST(LabStability, AScenesLimitIsFoundAndOneThatHoldsNothingIsLeftOut) {
   EXPECT_NE(nothing.err.find("Nothing holds the tip there"), std::string::npos);
 }
 
-TEST(LabStability, WhatIsNotKnownIsWrongUsage) {
+TEST(LabStability, RefusesUnknownWordsAndFiles) {
   EXPECT_EQ(runCli({"lab", "stability", "--map", "rates"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lab", "stability", "--delay_ticks", "-1"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lab", "stability", "--map", "scenes", "--scenes", "/dev/null/nowhere.json"}).exit, Exit::File);

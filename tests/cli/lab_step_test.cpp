@@ -46,7 +46,7 @@ TEST(LabStep, PrintsExactlyTheFiveKeysOfTheStepOfAFunction) {
   EXPECT_NEAR(numberAt(result, "overshoot_fraction"), 0.2538267219801087, 1e-13);
 }
 
-TEST(LabStep, WhatNeverSettlesHasNullAndSaysWhy) {
+TEST(LabStep, GivesNullWithTheReasonWhereNothingSettles) {
   const Outcome swings = step({"--num", "1", "--den", "1,0,1", "--json"});
   EXPECT_EQ(swings.exit, Exit::Success);
   EXPECT_TRUE(isNullAt(lines(swings.out).at(0), "settling_2pct_s"));
@@ -119,7 +119,7 @@ TEST(LabStep, TheArmUnderASceneIsMeasuredBesideItsFitAndItsModel) {
   EXPECT_EQ(step(arguments).out, outcome.out);
 }
 
-TEST(LabStep, WhatTheArmCannotShowIsSaid) {
+TEST(LabStep, NamesWhatTheArmCannotShow) {
   const std::string point = shipped("01_point.json");
   EXPECT_NE(step({"--scene", point}).err.find("reduced the force"), std::string::npos);
   const Outcome stuck = step({"--scene", point, "--step_mm", "0.4", "--json"});

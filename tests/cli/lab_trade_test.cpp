@@ -110,7 +110,7 @@ TEST(LabTrade, WhereEveryRunEndsInAFaultThereIsNoFrontButWhatElseCanBeMeasured) 
   EXPECT_EQ(lines(choices.out).size(), 6U);
 }
 
-TEST(LabTrade, WhatIsNotKnownIsRefused) {
+TEST(LabTrade, RefusesUnknownWordsAndFiles) {
   EXPECT_EQ(runCli({"lab", "trade", "--choices", "rates"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lab", "trade", "--hands", "swep", "--scenes", scene("01_point")}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"lab", "trade", "--scenes", "/dev/null/nowhere.json"}).exit, Exit::File);

@@ -164,7 +164,7 @@ TEST(Log, RecoverLeavesAClosedSessionAsItIs) {
   EXPECT_EQ(runCli({"log", "recover", "/dev/null/nowhere/s.h5"}).exit, Exit::File);
 }
 
-TEST(Log, OfWhatIsNoSessionSaysSo) {
+TEST(Log, RefusesAFileThatIsNoSession) {
   const ScratchFile text("tick,time_s\n1,0.001\n", "s.h5");
   for (const char* command : {"info", "verify", "export"}) {
     const Outcome outcome = runCli({"log", command, text.path()});

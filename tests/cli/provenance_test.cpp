@@ -134,7 +134,7 @@ TEST(Provenance, HasTheHandsFileAndTheMeshsChecksum) {
   EXPECT_NE(runCli({"rerun", session}).err.find("its checksum differs"), std::string::npos);
 }
 
-TEST(Difference, OfTheSameRunTwiceIsNothing) {
+TEST(Difference, IsEmptyForARunComparedWithItself) {
   const ScratchPath a("a.h5"), b("b.h5");
   for (const ScratchPath* path : {&a, &b})
     ASSERT_EQ(recordRun(path->path(), {"--hand", "tremor", "--notes", path->path()}).exit, Exit::Success);

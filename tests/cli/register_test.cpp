@@ -85,7 +85,7 @@ TEST(Register, OwnMarksComeFromAFile) {
   EXPECT_LT(numberAt(lines(outcome.out).at(0), "rms_mm"), 1e-12);
 }
 
-TEST(Register, WhatIsWrongIsSaidWithItsStatus) {
+TEST(Register, NamesEachErrorWithItsExitStatus) {
   EXPECT_EQ(runCli({"register"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"register", "--points", "a.csv", "--device", "simulated"}).exit, Exit::Usage);
   EXPECT_EQ(runCli({"register", "--points", "/nowhere/a.csv"}).exit, Exit::File);

@@ -119,7 +119,7 @@ TEST(Run, GivesEveryFigureOfTheContract) {
   EXPECT_GT(numberAt(all, "clamped_ticks"), 0.0);
   EXPECT_GT(numberAt(all, "rms_error_mm"), 0.0);
   EXPECT_TRUE(vectorAt(all, "final_p_mm").allFinite());
-  EXPECT_EQ(all.find("faults")->kind, json::Kind::Array);
+  EXPECT_EQ(all.find("faults")->kind, json::JsonKind::Array);
   EXPECT_TRUE(all.find("faults")->items.empty());
   for (const char* percentile : {"p50", "p99", "p99.9", "max"}) {
     EXPECT_TRUE(isNullAt(*all.find("lateness_us"), percentile));

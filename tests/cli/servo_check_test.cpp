@@ -57,7 +57,7 @@ TEST(ServoCheck, PrintsATableForPeople) {
   EXPECT_NE(outcome.err, "");  // the hint
 }
 
-TEST(ServoCheck, WhatItDoesNotKnowIsWrongUsage) {
+TEST(ServoCheck, RefusesUnknownWordsAsWrongUsage) {
   for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{{"--seconds", "0"},
                                                                                      {"--seconds", "1.5"},
                                                                                      {"--rate", "99"},

@@ -67,7 +67,7 @@ std::string textAt(const json::Value& object, const std::string& key) {
 
 double numberAt(const json::Value& object, const std::string& key) {
   const json::Value& member = memberAt(object, key);
-  EXPECT_EQ(member.kind, json::Kind::Number) << key;
+  EXPECT_EQ(member.kind, json::JsonKind::Number) << key;
   return member.number;
 }
 
@@ -81,7 +81,7 @@ Vec3 vectorAt(const json::Value& object, const std::string& key) {
 }
 
 bool isNullAt(const json::Value& object, const std::string& key) {
-  return memberAt(object, key).kind == json::Kind::Null;
+  return memberAt(object, key).kind == json::JsonKind::Null;
 }
 
 ScratchFile::ScratchFile(const std::string& text, const std::string& name) {

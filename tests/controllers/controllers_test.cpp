@@ -55,7 +55,7 @@ TEST_F(ControllersTest, AGamepadIsKnownByItsLayout) {
   KernelPad pad(kPad);
   pad.plugIn();
   ASSERT_TRUE(isThere()) << controllers_.trouble();
-  EXPECT_EQ(first().kind, Kind::Controller);
+  EXPECT_EQ(first().kind, InputKind::Controller);
   EXPECT_EQ(first().id, "030000005e0400008e02000010010000");
   EXPECT_EQ(readings().axes, 6);
   EXPECT_EQ(readings().buttons, 15);
@@ -100,7 +100,7 @@ TEST_F(ControllersTest, AJoystickOfNoKnownLayoutIsReadByNumbers) {
   KernelPad stick(kStick);
   stick.plugIn();
   ASSERT_TRUE(isThere());
-  EXPECT_EQ(first().kind, Kind::Joystick);
+  EXPECT_EQ(first().kind, InputKind::Joystick);
   EXPECT_EQ(first().name, kStick.name);
   EXPECT_EQ(readings().axes, 2);
   EXPECT_EQ(readings().buttons, 2);

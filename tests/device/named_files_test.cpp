@@ -71,7 +71,7 @@ TEST_P(NamedFiles, WhateverLiesThereIsAnsweredAtOnceWithItsName) {
   }
 }
 
-TEST_P(NamedFiles, WhatIsInUtf16IsCalledSo) {
+TEST_P(NamedFiles, ReportsUtf16ByName) {
   const test::ScratchFolder folder;
   const std::string path = folder.write(std::string("f") + GetParam().ending, "\xFF\xFE{");
   if (!path.ends_with(".h5")) EXPECT_NE(describe(GetParam().read(path)[0]).find("UTF-16"), std::string::npos);

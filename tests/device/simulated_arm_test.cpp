@@ -176,6 +176,45 @@ TEST(SimulatedArm, BehindAMouseThatMovesEvenlyItLagsByTheFilterAlone) {
   EXPECT_NEAR(setpoint.p_WT.x() - tipOf(sample).x(), 0.015 * 0.05, 2e-8);
 }
 
+/// Speeds of the hand itself, m/s, tick by tick, while it is told 100 mm in a second in so many events.
+std::vector<double> draggedSpeeds(const std::vector<int>& event_ms) {
+  SimulatedArm arm(touchOptions("ideal"));
+  arm::Sample sample;
+  sim::HandSetpoint setpoint = arm.setpoint();
+  setpoint.p_WT = Vec3(-0.05, 0.0, 0.02);
+  arm.glideTo(setpoint);
+  for (int read = 0; read < 3000; ++read) arm.read(sample);
+  const Vec3 begin_W = setpoint.p_WT;
+  std::vector<double> speeds;
+  Vec3 last = tipOf(sample);
+  std::size_t next = 0;
+  for (int ms = 0; ms < 1100; ++ms) {
+    for (; next < event_ms.size() && event_ms[next] == ms; ++next) {
+      setpoint.p_WT = begin_W + Vec3(1e-4 * ms, 0.0, 0.0);
+      arm.glideTo(setpoint);
+    }
+    arm.read(sample);
+    speeds.push_back((tipOf(sample) - last).norm() / 0.001);
+    last = tipOf(sample);
+  }
+  return speeds;
+}
+
+TEST(SimulatedArm, AHandThatIsToldTenPlacesASecondMovesEvenlyBetweenThem) {
+  for (const int apart_ms : {100, 50, 17, 8}) {
+    std::vector<int> events;
+    for (int ms = apart_ms; ms <= 1000; ms += apart_ms) events.push_back(ms);
+    const std::vector<double> speeds = draggedSpeeds(events);
+    double slowest = kInfinity, fastest = 0.0;
+    for (std::size_t ms = 300; ms <= 1000; ++ms) {
+      slowest = std::min(slowest, speeds[ms]);
+      fastest = std::max(fastest, speeds[ms]);
+    }
+    EXPECT_GT(slowest, 0.090) << apart_ms << " ms apart";
+    EXPECT_LT(fastest, 0.110) << apart_ms << " ms apart";
+  }
+}
+
 TEST(SimulatedArm, AWishThatIsNoPlaceIsNotHeard) {
   SimulatedArm arm(touchOptions("ideal"));
   sim::HandSetpoint setpoint;
@@ -284,10 +323,10 @@ Request requestFor(const char* address) {
 }
 
 TEST(Catalogue, OpensTheSimulatedArm) {
-  const Row& row = *findDevice("simulated");
-  const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor(""));
+  const Driver& driver = *findDevice("simulated");
+  const Result<std::unique_ptr<servo::DevicePort>> port = driver.open(requestFor(""));
   ASSERT_TRUE(port);
-  EXPECT_EQ(port.value()->info().title, row.name);
+  EXPECT_EQ(port.value()->info().title, driver.name);
   arm::Sample sample;
   EXPECT_TRUE(port.value()->read(sample));
   EXPECT_EQ(sample.time_ns, 2'000'000);
@@ -314,14 +353,14 @@ TEST(SimulatedArm, BecomesAnotherArmAtItsTipAndBeginsANewEpoch) {
   EXPECT_LT((arm::tipPosition(omni.geometry, sample.q_rad) - p_WT).norm(), 1e-4);
 }
 
-TEST(Catalogue, OfAnArmThatIsNotThereEachRowSaysSoInASentence) {
+TEST(Catalogue, EachRowReportsAnAbsentArmInASentence) {
   EXPECT_EQ(findDevice("omni"), nullptr);
-  for (const Row& row : catalogue()) {
-    ASSERT_EQ(findDevice(row.key), &row);
-    for (const Found& found : row.search()) EXPECT_NE(found.title, "") << row.key;
-    if (std::string_view(row.key) == "simulated") continue;
-    const Result<std::unique_ptr<servo::DevicePort>> port = row.open(requestFor("nobody has an arm of this name"));
-    ASSERT_FALSE(port) << row.key;
+  for (const Driver& driver : catalogue()) {
+    ASSERT_EQ(findDevice(driver.key), &driver);
+    for (const Found& found : driver.search()) EXPECT_NE(found.title, "") << driver.key;
+    if (std::string_view(driver.key) == "simulated") continue;
+    const Result<std::unique_ptr<servo::DevicePort>> port = driver.open(requestFor("nobody has an arm of this name"));
+    ASSERT_FALSE(port) << driver.key;
     EXPECT_EQ(port.problems().front().sentence.back(), '.') << port.problems().front().sentence;
   }
 }

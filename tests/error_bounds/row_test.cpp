@@ -47,7 +47,7 @@ TEST(Worst, IsTheSameInWhateverOrderCellsAreMerged) {
   EXPECT_GT(forward.error_ulp, 0.98);
 }
 
-TEST(Worst, OfEqualErrorsTheSmallerInputStands) {
+TEST(Worst, KeepsTheSmallerInputOfEqualErrors) {
   const Worst a{1.0, {2.0}, 1, 0}, b{1.0, {3.0}, 1, 0};
   EXPECT_EQ(worse(a, b).input, a.input);
   EXPECT_EQ(worse(b, a).input, a.input);

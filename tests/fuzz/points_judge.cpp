@@ -28,7 +28,7 @@ std::string judgeRefusal(const Problems& problems, std::string_view text) {
   return {};
 }
 
-std::string judgeCurve(const std::vector<Vec3>& points_W, curve::Kind kind, bool closed) {
+std::string judgeCurve(const std::vector<Vec3>& points_W, curve::CurveKind kind, bool closed) {
   const auto made = curve::makeCurve(points_W, kind, closed);
   if (!made) return made.problems().empty() ? "No curve without a problem." : "";
   const curve::Curve& path = *made.value();
@@ -54,7 +54,7 @@ std::string judgeCurves(const std::vector<Vec3>& points) {
     if (i > 0 && points[i] == points[i - 1]) return "Two neighbours are equal.";
     points_W.push_back(1e-3 * points[i]);
   }
-  for (const curve::Kind kind : {curve::Kind::Polyline, curve::Kind::Spline}) {
+  for (const curve::CurveKind kind : {curve::CurveKind::Polyline, curve::CurveKind::Spline}) {
     for (const bool closed : {false, true}) {
       const std::string wrong = judgeCurve(points_W, kind, closed);
       if (!wrong.empty()) return wrong;

@@ -56,7 +56,7 @@ TEST(PointsMutations, EveryPrefixIsWell) {
   }
 }
 
-TEST(PointsMutations, WhatIsLargeTakesNoLongTime) {
+TEST(PointsMutations, ReadsLargeFilesInTime) {
   const std::size_t large = 1U << 22U;
   for (const char byte : {'1', ',', ' ', '\n', '\r', '#', 'x', '\0', '-', '.', 'e'}) {
     EXPECT_EQ(judgePoints(std::string(large, byte)), "") << static_cast<int>(byte);

@@ -230,7 +230,7 @@ TEST(SceneMutations, WhatKeepsEveryRuleTicksHoweverOddItsNumbers) {
   }
 }
 
-TEST(SceneMutations, WhatIsLargeTakesNoLongTime) {
+TEST(SceneMutations, ReadsLargeScenesInTime) {
   const std::string head = R"({"underact_scene": 1, "title": ")";
   const std::string tail = R"(", "constraints": [{"type": "point", "position_mm": [0, 0, 0]}]})";
   const auto many = [](const char* text, std::size_t count) {

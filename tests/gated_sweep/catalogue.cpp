@@ -27,7 +27,7 @@ Result<Cells> make(Options& options) {
   cells.count = static_cast<std::size_t>(options.integer("cells", 1, 1'000'000));
   if (!options.problems().empty()) return options.problems();
   cells.columns = {"mean"};
-  cells.run = [](std::size_t index, std::uint64_t seed) -> Result<Row> {
+  cells.run = [](std::size_t index, std::uint64_t seed) -> Result<SweepRow> {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);  // of a test that was killed, too
     while (!isOpen(index)) {
       if (std::chrono::steady_clock::now() > end) return Problems{{"The gate does not open."}};
@@ -36,7 +36,7 @@ Result<Cells> make(Options& options) {
     constexpr int kDraws = 1000;
     double sum = 0.0;
     for (int draw = 0; draw < kDraws; ++draw) sum += nextShare(seed);
-    Row row;
+    SweepRow row;
     row.add(sum / kDraws);
     return row;
   };
@@ -45,13 +45,13 @@ Result<Cells> make(Options& options) {
 
 }  // namespace
 
-std::span<const Kind> kinds() {
-  static const std::vector<Kind> kKinds{
+std::span<const SweepKind> kinds() {
+  static const std::vector<SweepKind> kKinds{
       {"gated", "What is the mean of a thousand?", {{"cells", "How many", {"200"}}}, make}};
   return kKinds;
 }
 
-const Kind* findKind(std::string_view key) {
+const SweepKind* findKind(std::string_view key) {
   return key == kinds().front().key ? &kinds().front() : nullptr;
 }
 

@@ -103,7 +103,7 @@ TEST(TheGuide, TheReadmeNamesPagesThatAreThere) {
   EXPECT_GT(pages, 5);
 }
 
-TEST(Contents, WhatIsWrongWithThemIsSaid) {
+TEST(Contents, NamesEachErrorInTheList) {
   const test::ScratchFolder scratch;
   const fs::path folder = scratch.path();
   write(folder / "a.md", "# A\n");
@@ -123,7 +123,7 @@ TEST(Contents, WhatIsWrongWithThemIsSaid) {
   EXPECT_NE(problemOf("{").find("contents.json"), std::string::npos);
 }
 
-TEST(Targets, OfLinks) {
+TEST(Targets, ArePageAndAnchorOfALink) {
   EXPECT_EQ(targetOf("faults.md#not-tried").page, "faults");
   EXPECT_EQ(targetOf("faults.md#not-tried").anchor, "not-tried");
   EXPECT_EQ(targetOf("guide:faults").page, "faults");
@@ -204,7 +204,7 @@ TEST(SceneList, HasTitleAboutAndWhatAClassReadsOfIt) {
   EXPECT_FALSE(sceneList(scratch.path()));
 }
 
-TEST(ScenePage, WhatIsNoSchemaOfScenesIsRefused) {
+TEST(ScenePage, RefusesASchemaThatIsNotOfScenes) {
   const test::ScratchFolder scratch;
   const std::string schema = textOf(UNDERACT_SOURCE "/scenes/scene.schema.json");
   for (const char* part :
@@ -258,7 +258,7 @@ TEST(StaticPages, AreTheSameBytesEachTimeAndHaveLightAndDark) {
       << "site.css prints a worksheet a sheet";
 }
 
-TEST(StaticPages, WhatCannotBeWrittenIsSaid) {
+TEST(StaticPages, ReportsWhatItCannotWrite) {
   EXPECT_FALSE(writeSite(theGuide(), "/proc/no_such_folder").empty());
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// Keeps a result, so that no compiler leaves out what made it.
 double kept = 0.0;
 
-std::shared_ptr<const Curve> knot(Kind kind) {
+std::shared_ptr<const Curve> knot(CurveKind kind) {
   std::vector<Vec3> points_W;
   for (int i = 0; i < 300; ++i) {
     const double a_rad = 2.0 * kPi * i / 300.0;
@@ -25,7 +25,7 @@ std::shared_ptr<const Curve> knot(Kind kind) {
 }  // namespace
 
 TEST(Curve, AllocatesFreesAndLocksNothing) {
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     const std::shared_ptr<const Curve> curve = knot(kind);
     for (const Search search : {Search::Hybrid, Search::Global, Search::Local}) {
       SearchState state;

@@ -29,7 +29,7 @@ TEST(Loop, AllocatesFreesAndLocksNothingThroughSwapsEditsFaultsLateTicksAndRecor
     if (read % 1000 == 900) sample.q_rad[1] = kNotANumber;
     return read % 97 != 0;
   };
-  Loop loop(port, 1'000'000, 100'000'000);
+  ServoLoop loop(port, 1'000'000, 100'000'000);
   const auto tap = std::make_unique<Tap>(1'000'000);
   for (std::uint64_t round = 1; round <= 8; ++round) {
     Command listen{round % 3 == 0 ? Order::EndRecord : Order::Record};

@@ -17,7 +17,7 @@ std::vector<Entry> meshesAndCurve() {
   entries[0].constraint.goal = entries[1].constraint.goal = ball;
   entries[0].constraint.side = target::Side::Outside;
   const std::vector<Vec3> points{{0.04, 0, 0}, {0, 0.04, 0}, {-0.04, 0, 0.01}, {0, -0.04, 0}};
-  entries[2].constraint.goal = target::CurvePath{curve::makeCurve(points, curve::Kind::Spline, true).value(),
+  entries[2].constraint.goal = target::CurvePath{curve::makeCurve(points, curve::CurveKind::Spline, true).value(),
                                                  Search::Hybrid, curve::Guidance{0.25, 0.05, 0.01}};
   return entries;
 }

@@ -56,7 +56,7 @@ def end_session(session: int) -> None:
 
 
 def run(command: list[str], limit_s: float, cwd: Path, more: dict[str, str]) -> tuple[bool, str]:
-    """Whether it ended without an error in time, and its output. All that it started ends with it."""
+    """Whether it ended without an error in time, and its output. It ends all that it started."""
     with subprocess.Popen(
         command,
         cwd=cwd,

@@ -90,7 +90,7 @@ TEST(PageMutations, EachIsAPageOfMatchingElementsOfBoundedLength) {
   EXPECT_GT(with_formula, count / 10) << "the mutator leaves nothing whole";
 }
 
-TEST(PageMutations, WhatIsLargeTakesNoLongTime) {
+TEST(PageMutations, ReadsLargePagesInTime) {
   for (const char* part : {"$", "$$x$$", "[", "](", "*", "_", "`", "> ", "- ", "\n", "|", "![", "&amp;", "<", "\\("}) {
     std::string text;
     while (text.size() < 100'000) text += part;

@@ -91,7 +91,7 @@ TEST(Page, HtmlOfItsOwnIsText) {
   EXPECT_FALSE(has(page, "<b>")) << page.html;
 }
 
-TEST(Page, WhatIsTooLargeOrTooDeepIsCutWithAWord) {
+TEST(Page, CutsWhatIsTooLargeOrTooDeepAndSaysSo) {
   const Page large = readPage(std::string((1U << 20U) + 1, 'x'), "x.md");
   EXPECT_EQ(large.cut, "The text is cut here: it is longer than 1024 KiB.");
   EXPECT_EQ(large.html, "<p>" + std::string(1U << 20U, 'x') + "</p>\n");

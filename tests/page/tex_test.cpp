@@ -110,7 +110,7 @@ TEST(TexProblems, AnUnknownCommandIsNamedWithTheOneMeant) {
   EXPECT_EQ(two.problems().front().place.line, 7);
 }
 
-TEST(TexProblems, WhatDoesNotMatchIsSaid) {
+TEST(TexProblems, NamesWhatDoesNotMatch) {
   for (const char* tex : {"{", "}", "a & b", "\\frac{a}", "x^", "x_1_2", "\\left(", "\\begin{bmatrix} a", "\\text",
                           "\\", "\\begin{foo}a\\end{foo}", "\\begin{bmatrix}a\\end{pmatrix}", "\\sqrt", "\\right)"})
     EXPECT_EQ(line(tex).substr(0, 2), "! ") << tex << ": " << line(tex);

@@ -77,7 +77,7 @@ class Desk {
   static double number(const std::string& answer, const char* key) {
     const Result<json::Value> root = json::parse(answer, "");
     const json::Value* const value = root ? root.value().find(key) : nullptr;
-    EXPECT_TRUE(value != nullptr && value->kind == json::Kind::Number) << key << " of " << answer;
+    EXPECT_TRUE(value != nullptr && value->kind == json::JsonKind::Number) << key << " of " << answer;
     return value != nullptr ? value->number : 0.0;
   }
   bool isRequest(const std::string& text) const { return requests_.accepts(text); }

@@ -54,7 +54,7 @@ const json::Value& at(const json::Value& root, std::initializer_list<const char*
   static const json::Value kNothing;
   const json::Value* found = &root;
   for (const char* const key : keys) {
-    if (found->kind == json::Kind::Array && !found->items.empty()) found = &found->items.front();
+    if (found->kind == json::JsonKind::Array && !found->items.empty()) found = &found->items.front();
     found = found->find(key);
     if (found == nullptr) return kNothing;
   }
@@ -69,7 +69,7 @@ TEST(Haply, TheFirstMessageHasAllAndEachFrameIsAnsweredByOne) {
   const json::Value first = parsed(heard.front());
   EXPECT_EQ(at(first, {"inverse3", "device_id"}).text, "0001");
   EXPECT_EQ(at(first, {"inverse3", "config", "type"}).text, "inverse3");
-  EXPECT_EQ(at(first, {"wireless_verse_grip", "state", "buttons", "a"}).kind, json::Kind::Bool);
+  EXPECT_EQ(at(first, {"wireless_verse_grip", "state", "buttons", "a"}).kind, json::JsonKind::Bool);
   desk.tick(20);
   EXPECT_TRUE(desk.heard().empty()) << "nothing is sent to one that asks nothing";
   desk.send(R"({"inverse3": [{"device_id": "0001", "commands": {"probe_position": {}}}]})");
@@ -78,7 +78,7 @@ TEST(Haply, TheFirstMessageHasAllAndEachFrameIsAnsweredByOne) {
   heard = desk.heard();
   ASSERT_EQ(heard.size(), 1U);
   const json::Value next = parsed(heard.front());
-  EXPECT_EQ(at(next, {"inverse3", "config"}).kind, json::Kind::Null) << "only the changes";
+  EXPECT_EQ(at(next, {"inverse3", "config"}).kind, json::JsonKind::Null) << "only the changes";
   const Vec3 p_H = serve::haply::placeOf(desk.service->lastTick().p_WT);
   EXPECT_EQ(at(next, {"inverse3", "state", "cursor_position", "x"}).number, p_H.x());
   EXPECT_EQ(at(next, {"inverse3", "state", "cursor_position", "z"}).number, p_H.z());

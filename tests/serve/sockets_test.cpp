@@ -57,7 +57,7 @@ class Caller {
     });
   }
 
-  web_socket::Loop loop_;
+  web_socket::EventLoop loop_;
   web_socket::Connection connection_;
   bool is_open_ = false, is_writing_ = false;
   std::deque<std::string> waiting_;

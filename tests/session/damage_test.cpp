@@ -102,7 +102,7 @@ class Damage : public ::testing::Test {
   std::string bytes_;
 };
 
-TEST_F(Damage, OfOneBitIsFoundOrDoesNotMatter) {
+TEST_F(Damage, FindsEachFlippedBitThatMatters) {
   test::Random random(test::Seed{11});
   Seen seen;
   const int flips = test::sweep(400, 10'000);
@@ -121,7 +121,7 @@ TEST_F(Damage, OfOneBitIsFoundOrDoesNotMatter) {
   EXPECT_GT(seen.around, 0) << "a damaged block takes others with it";
 }
 
-TEST_F(Damage, OfAFileCutAnywhereIsFound) {
+TEST_F(Damage, FindsAFileThatIsCutAnywhere) {
   test::Random random(test::Seed{12});
   Seen seen, recovered;
   const int cuts = test::sweep(100, 2'000);
@@ -137,7 +137,7 @@ TEST_F(Damage, OfAFileCutAnywhereIsFound) {
   EXPECT_EQ(seen.whole, 0);
 }
 
-TEST_F(Damage, OfRunsOfBytesIsFound) {
+TEST_F(Damage, FindsOverwrittenRunsOfBytes) {
   test::Random random(test::Seed{13});
   Seen seen;
   const int runs = test::sweep(100, 2'000);

@@ -172,7 +172,7 @@ TEST(Disk, ThatLostTheFileEndsTheRecordingWithASentence) {
   EXPECT_NE(recorder.value()->status().problems.at(0).sentence.find("moved or deleted"), std::string::npos);
 }
 
-TEST(Disk, ThatLetsNothingBeMadeThereSaysSoAtOnce) {
+TEST(Disk, RefusesARecordingAtOnceWhereNoFileCanBeMade) {
   const auto host = test::makeHost(servo::Clock::Manual, "probe");
   ASSERT_TRUE(host->load(test::sphereScene()).empty());
   const auto recorder = Recorder::start(*host, "/dev/null/nowhere/all/s.h5", {});

@@ -38,7 +38,7 @@ TEST(Replay, OfASessionFullOfFaultsIsTheSameToTheBit) {
     sample.time_ns -= back_ns + (read % 211 == 0 ? 1'000'000 : 0);
     return read % 97 != 0 && read % 1700 > 30;
   };
-  servo::Loop loop(port, 1'000'000, 100'000'000);
+  servo::ServoLoop loop(port, 1'000'000, 100'000'000);
   servo::Tap tap(1'000'000);
   scene::Description scene = test::sphereScene();
   scene.control.law = scene::LawType::PID;
@@ -109,7 +109,7 @@ TEST(Replay, OfASessionWithLateTicksCountsTheirDeadlinesToTheBit) {
   const test::ScratchFolder folder;
   test::ScriptedPort::Seen seen;
   test::ScriptedPort port(seen);
-  servo::Loop loop(port, 333'333, 0);
+  servo::ServoLoop loop(port, 333'333, 0);
   servo::Tap tap(333'333);
   port.period_ns = 333'333;
   const scene::Description scene = test::sphereScene();

@@ -130,7 +130,7 @@ TEST(SevenJoints, ComeInTheMidstOfARecordingOfSix) {
   EXPECT_FALSE(verified.differs.has_value()) << verified.differs->tick << " " << verified.differs->column;
 }
 
-TEST(SevenJoints, OfSixThereIsNothing) {
+TEST(SevenJoints, ASixJointArmHasNoneOfItsColumns) {
   const test::ScratchFolder folder;
   test::recordEvents(folder.file("s.h5"), test::sphereScene(), "probe", test::Seed{5});
   Session session = Session::open(folder.file("s.h5")).value();

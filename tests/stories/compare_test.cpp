@@ -4,9 +4,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <cmath>
+#include <vector>
 
 #include "app/gui/compare/compare_tool.h"
 #include "app/gui/compare/two_views.h"
+#include "core/arm/forward.h"
+#include "core/arm/preset.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -60,6 +63,34 @@ TEST(CompareStory, TheSameSceneGivesTheSameForceToTheLastBit) {
   EXPECT_EQ(desk.tool.beside().snapshot().report.force.f_T_W(), desk.story.snapshot().report.force.f_T_W());
   EXPECT_EQ(desk.tool.beside().snapshot().report.p_WT, desk.story.snapshot().report.p_WT);
   EXPECT_TRUE(desk.text("compare.difference").startsWith("The two scenes are the same"));
+}
+
+TEST(CompareStory, BothHalvesShowTheWholeArmAlsoWhereTheViewHadBeenMovedAndItIsPutBack) {
+  Story story("02_sphere");
+  story.run(100);
+  story.press(&story.view(), QPoint(30, 30));  // beside the arm: it turns the view
+  story.moveTo(&story.view(), QPoint(50, 30));
+  story.release(&story.view(), QPoint(50, 30));
+  ASSERT_FALSE(story.view().viewpoint().fits);
+  const OrbitCamera before = story.view().viewpoint().camera;
+  ASSERT_TRUE(story.perform("compare.on", true));
+  for (int frame = 0; frame < 5; ++frame) story.run(20), story.settle();
+  const arm::Skeleton arm =
+      arm::skeleton(arm::findPreset(arm::kDefaultArm)->geometry, story.snapshot().report.sample.q_rad);
+  std::vector<Vec3> points{arm.p_WShoulder, arm.p_WElbow, arm.p_WTip};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side_m : {-0.05, 0.05}) points.push_back(side_m * Vec3::Unit(axis));  // of the sphere
+    for (const double side_m : {-0.07, 0.07}) points.push_back(arm.p_WShoulder + side_m * Vec3::Unit(axis));
+  }
+  for (SceneView* view : {&story.view(), story.window().findChild<SceneView*>("view.beside")}) {
+    for (const Vec3& p_W : points) {
+      EXPECT_TRUE(QRectF(view->rect()).contains(view->screenOf(p_W)))
+          << view->objectName().toStdString() << ' ' << p_W.transpose();
+    }
+  }
+  ASSERT_TRUE(story.perform("compare.on", false));
+  story.settle();
+  EXPECT_TRUE(story.view().viewpoint().camera == before);
 }
 
 TEST(CompareStory, OtherGainsActOnTheSameMotion) {
@@ -119,7 +150,7 @@ TEST(CompareStory, ASceneWithAMeshIsLoadedMeanwhile) {
   EXPECT_GT(desk.right().trianglesDrawn(), 1000u);
 }
 
-TEST(CompareStory, WhatCannotBeComparedIsSaid) {
+TEST(CompareStory, NamesWhatCannotBeCompared) {
   CompareDesk desk;
   EXPECT_FALSE(desk.story.perform("compare.open", temporaryFile("no_scene.json", "{")));
   EXPECT_FALSE(desk.text("compare.told").isEmpty());

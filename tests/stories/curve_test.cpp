@@ -60,7 +60,7 @@ TEST(CurveStory, ADroppedFileOfPointsIsAskedAboutAddedFeltAndTakenBack) {
   ASSERT_TRUE(waitForMeshes(story));
   ASSERT_EQ(story.host().scene().constraints.size(), 2U);
   EXPECT_EQ(story.host().scene().constraints[1].name, "square");
-  EXPECT_EQ(curveOf(story, 1).kind, curve::Kind::Polyline);
+  EXPECT_EQ(curveOf(story, 1).kind, curve::CurveKind::Polyline);
   EXPECT_TRUE(curveOf(story, 1).closed);
   EXPECT_TRUE(story.window().isWindowModified());
   story.settle();
@@ -92,7 +92,7 @@ TEST(CurveStory, AFileInMetresBecomesANewSceneThatIsSavedAndOpenedAgain) {
   EXPECT_EQ(story.host().scene().title, "helix");
   EXPECT_EQ(curveOf(story).scale_mm_per_unit, 1000.0);
   EXPECT_NEAR(curveOf(story).X_WM(0, 3), -1000.0, 0.1);  // it stood a metre beside the workspace; 400 points of it
-  EXPECT_EQ(curveOf(story).kind, curve::Kind::Spline);
+  EXPECT_EQ(curveOf(story).kind, curve::CurveKind::Spline);
   story.savePicture("curve_helix_dark");
 
   const QString saved = temporaryFile("helix_scene.json");

@@ -34,7 +34,78 @@ void answer(QMessageBox::StandardButton button) {
   });
 }
 
+/// Answers every question about edits while it lives, and counts them.
+struct Discarding {
+  Discarding() {
+    QObject::connect(&looks, &QTimer::timeout, [this] {
+      auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr || box->objectName() != "dialog.unsaved") return;
+      ++asked;
+      box->button(QMessageBox::Discard)->click();
+    });
+    looks.start(50);
+  }
+  QTimer looks;
+  int asked = 0;
+};
+
+/// A scene file of the user's own.
+QString ownScene(const QString& of) {
+  QFile file(shippedScene(of));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+  return temporaryFile("own_" + of + ".json", file.readAll());
+}
+
+double stiffness(Story& story) {
+  return story.host().scene().control.gains.kp_N_per_mm.x();
+}
+
 }  // namespace
+
+TEST(FilesStory, WhoDiscardsEditsIsAskedOnceWhenTheWindowClosesAndWhenASceneWithAMeshOpens) {
+  {
+    Story story(ownScene("02_sphere"));
+    story.perform("gains.set", "kp", "x", 0.7);
+    Discarding discarding;
+    EXPECT_TRUE(story.perform("app.quit"));
+    EXPECT_EQ(discarding.asked, 1);
+  }
+  Story story(ownScene("02_sphere"));
+  story.perform("gains.set", "kp", "x", 0.7);
+  Discarding discarding;
+  EXPECT_TRUE(story.perform("scene.open", shippedScene("27_bracket")));
+  ASSERT_TRUE(waitForMeshes(story));
+  EXPECT_TRUE(story.window().document().path().endsWith("27_bracket.json"));
+  EXPECT_EQ(discarding.asked, 1);
+}
+
+TEST(FilesStory, AShippedSceneThatWasTunedAsksNothingAndIsTunedTheNextTimeUntilReset) {
+  Discarding discarding;
+  {
+    Story story("02_sphere");
+    const double own = stiffness(story);
+    story.perform("gains.set", "kp", "x", 0.7);
+    ASSERT_TRUE(story.perform("scene.open", shippedScene("04_plane")));
+    ASSERT_TRUE(story.perform("scene.open", shippedScene("02_sphere")));
+    EXPECT_DOUBLE_EQ(stiffness(story), 0.7);
+    EXPECT_TRUE(story.find<QLabel>("notice.sentence")->text().contains("Undo"));
+    ASSERT_TRUE(story.perform("edit.undo"));
+    EXPECT_DOUBLE_EQ(stiffness(story), own);
+    ASSERT_TRUE(story.perform("edit.redo"));
+    ASSERT_TRUE(story.perform("gains.reset"));
+    ASSERT_TRUE(story.perform("scene.open", shippedScene("04_plane")));
+    ASSERT_TRUE(story.perform("scene.open", shippedScene("02_sphere")));
+    EXPECT_DOUBLE_EQ(stiffness(story), own) << "it was reset";
+    story.perform("gains.set", "kp", "x", 0.6);
+    ASSERT_TRUE(story.perform("lesson.start", "07_stiffness"));
+    ASSERT_TRUE(story.perform("lesson.leave"));
+    EXPECT_DOUBLE_EQ(stiffness(story), 0.6);
+    EXPECT_TRUE(story.perform("app.quit"));
+  }
+  Story again("02_sphere", {.first_start = false});
+  EXPECT_DOUBLE_EQ(stiffness(again), 0.6);
+  EXPECT_EQ(discarding.asked, 0);
+}
 
 TEST(FilesStory, ADroppedBrokenFileShowsAllProblemsAndTheSceneRunsOn) {
   Story story("02_sphere");
@@ -76,7 +147,7 @@ TEST(FilesStory, SaveAsReadsBackToTheSameSceneAndIsRemembered) {
 }
 
 TEST(FilesStory, EditsAreAskedAboutBeforeTheyAreReplaced) {
-  Story story("02_sphere");
+  Story story(ownScene("02_sphere"));
   story.perform("gains.set", "kp", "x", 0.7);
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(story.perform("scene.open", shippedScene("04_plane")));

@@ -40,7 +40,7 @@ TEST(GhostFilesStory, AFileThatIsNoSessionIsSaidAndNothingChanges) {
   EXPECT_FALSE(story.find("ghost")->isVisible());
 }
 
-TEST(GhostFilesStory, WhatIsDamagedIsSaidAndTheRestIsFollowed) {
+TEST(GhostFilesStory, ReportsDamageAndFollowsTheRest) {
   const QString path = temporaryFile("damaged.h5");
   QFile::remove(path);
   ASSERT_TRUE(QFile::copy(teacherSession(), path));

@@ -22,7 +22,7 @@ class ScriptedPad final : public DeviceEnumerator {
   ScriptedPad() {
     pad.id = kPad;
     pad.name = "Xbox 360 Controller";
-    pad.kind = device::input::Kind::Controller;
+    pad.kind = device::input::InputKind::Controller;
     pad.readings.axes = 6;
     pad.readings.buttons = 15;
     describeController(pad);

@@ -165,7 +165,7 @@ TEST(InfluenceStory, ACircleWithoutOneIsGivenOneAndBack) {
   EXPECT_FALSE(story.window().isWindowModified());
 }
 
-TEST(InfluenceStory, WhatTheCheckRefusesIsRefusedWithItsSentence) {
+TEST(InfluenceStory, RefusesAnInvalidValueWithTheSentenceOfTheCheck) {
   Story story("05_circle");
   story.find<QCheckBox>("panel.feel.link")->setChecked(false);
   ASSERT_TRUE(story.perform("gains.set", "kp", "x", 0.25));

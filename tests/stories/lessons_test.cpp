@@ -207,8 +207,47 @@ TEST(LessonsStory, AfterALessonTheWindowIsAsBefore) {
   EXPECT_FALSE(story.perform("lesson.next"));
 }
 
-TEST(LessonsStory, EditsFromBeforeAreAskedAboutAndNotLost) {
+TEST(LessonsStory, TheKeyboardBeginsWithTheTextAndNotWithBack) {
   Story story("02_sphere");
+  ASSERT_TRUE(story.perform("dock.lessons", true));
+  for (const char* focus : {"panel.lessons.list", "panel.feel.law"}) {  // the second one goes with its panel
+    story.find(focus)->setFocus(Qt::TabFocusReason);
+    ASSERT_TRUE(story.perform("lesson.start", "01_frames"));
+    story.settle();
+    EXPECT_FALSE(story.find("panel.lesson.back")->hasFocus()) << focus;
+    ASSERT_TRUE(story.perform("lesson.leave"));
+    story.settle();
+  }
+  story.find("panel.lessons.list")->setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
+  story.settle();
+  EXPECT_TRUE(story.find("panel.lessons.text")->hasFocus()) << QApplication::focusWidget()->objectName().toStdString();
+  while (story.perform("lesson.next")) {
+    EXPECT_FALSE(story.find("panel.lesson.back")->hasFocus());
+    auto* const number = story.window().findChild<QWidget*>("panel.lessons.check1.number");
+    (number != nullptr ? number : story.find("panel.lesson.next"))->setFocus(Qt::TabFocusReason);
+  }
+  story.settle();
+  EXPECT_FALSE(story.find("panel.lesson.back")->hasFocus());
+}
+
+TEST(LessonsStory, TheGhostOfALessonDoesNotStayInTheNext) {
+  Story story("02_sphere");
+  ASSERT_TRUE(story.perform("lesson.start", "04_inverse"));
+  story.settle();
+  story.run(300);
+  ASSERT_TRUE(story.perform("solution.show", 3));
+  ASSERT_TRUE(story.view().chosenSolution_rad().has_value());
+  ASSERT_TRUE(story.perform("lesson.start", "05_jacobian"));
+  story.settle();
+  story.run(300);
+  EXPECT_FALSE(story.view().chosenSolution_rad().has_value());
+}
+
+TEST(LessonsStory, EditsFromBeforeAreAskedAboutAndNotLost) {
+  QFile shipped(shippedScene("02_sphere"));
+  ASSERT_TRUE(shipped.open(QIODevice::ReadOnly));
+  Story story(temporaryFile("own_sphere.json", shipped.readAll()));  // of one that ships nobody is asked
   story.perform("gains.set", "kp", "x", 0.7);
   answerUnsaved(QMessageBox::Cancel);
   EXPECT_FALSE(story.perform("lesson.start", "06_statics"));

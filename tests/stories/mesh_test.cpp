@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QTableWidget>
@@ -134,6 +135,31 @@ TEST(MeshStory, ABrokenFileGivesASentenceAndTheSceneRunsOn) {
   EXPECT_EQ(story.snapshot().mode, servo::Mode::Running);
   EXPECT_EQ(story.host().revision(), before);
   box->close();
+}
+
+TEST(MeshStory, WhatWasSaidOfAFileThatFailedGoesWithTheNextOne) {
+  Story story("02_sphere");
+  drop(story, temporaryFile("broken.stl", "solid nothing"));
+  ASSERT_TRUE(waitForMeshes(story));
+  QPointer<QWidget> shown = story.find("dialog.mesh_problems");
+  ASSERT_NE(shown, nullptr);
+  drop(story, temporaryFile("good.stl", ballStl(20.0, Vec3::Zero(), 24, 12)));
+  ASSERT_TRUE(waitForMeshes(story));
+  story.settle();
+  EXPECT_TRUE(shown == nullptr || !shown->isVisible());
+  drop(story, temporaryFile("broken.json", "{"));
+  ASSERT_TRUE(story.find("dialog.problems")->isVisible());
+  drop(story, temporaryFile("good.stl"));
+  ASSERT_TRUE(waitForMeshes(story));
+  EXPECT_FALSE(story.find("dialog.problems")->isVisible());
+}
+
+TEST(MeshStory, TheHintOfWhatThePointerWasOverIsGoneAfterADrop) {
+  Story story("02_sphere");
+  story.moveTo(story.find("panel.feel.button.edit.redo"), QPoint(8, 8));
+  ASSERT_FALSE(story.find<QLabel>("status.tip")->text().isEmpty());
+  drop(story, shippedScene("04_plane"));
+  EXPECT_EQ(story.find<QLabel>("status.tip")->text(), QString());
 }
 
 TEST(MeshStory, ABigOneLoadsWhileTheServoRunsIsCancelledAndIsDrawnCoarser) {

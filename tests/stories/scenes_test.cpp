@@ -69,6 +69,22 @@ TEST(ScenesStory, TheKeyboardChoosesAndReturnOpens) {
   EXPECT_NE(story.host().scene().title, "Sphere");
 }
 
+TEST(ScenesStory, FromTheFilterDownGoesToTheFirstHitAndEnterOpensIt) {
+  Story story("39_iiwa_pose");  // at the end of the list
+  auto* const list = story.find<QListWidget>("panel.scenes.list");
+  story.perform("scenes.find");
+  for (const Qt::Key letter : {Qt::Key_S, Qt::Key_P, Qt::Key_H, Qt::Key_E, Qt::Key_R, Qt::Key_E}) story.key(letter);
+  story.settle();
+  EXPECT_TRUE(list->viewport()->rect().contains(list->visualItemRect(itemOf(list, shippedScene("02_sphere")))));
+  story.key(Qt::Key_Down);
+  EXPECT_TRUE(list->hasFocus());
+  EXPECT_EQ(list->currentItem(), itemOf(list, shippedScene("02_sphere")));
+  story.perform("scenes.find");
+  story.key(Qt::Key_S), story.key(Qt::Key_P), story.key(Qt::Key_H);
+  story.key(Qt::Key_Return);
+  EXPECT_EQ(story.host().scene().title, "Sphere");
+}
+
 TEST(ScenesStory, TheFilterLeavesWhatFits) {
   Story story("02_sphere");
   auto* list = story.find<QListWidget>("panel.scenes.list");

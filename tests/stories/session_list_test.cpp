@@ -7,6 +7,8 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <filesystem>
 
@@ -119,6 +121,24 @@ TEST(SessionListStory, AKilledSessionIsRecovered) {
   EXPECT_EQ(entry.info.end->reason, record::EndReason::Recovered);
   EXPECT_EQ(entry.info.ticks, 200);
   EXPECT_FALSE(desk.story->find("panel.sessions.recover")->isVisible());
+}
+
+TEST(SessionListStory, AfterAKillTheNextStartSaysThatASessionCanBeRecovered) {
+  const QTemporaryDir kept;
+  const QString path = unclosed(kept.path(), "2026-01-01_00-00-00_sphere.h5");
+  {
+    Desk desk;
+    ASSERT_TRUE(desk.record(true));
+    EXPECT_TRUE(QSettings().value("recording/unfinished").toString().endsWith(".h5")) << "so that a kill is known";
+    ASSERT_TRUE(desk.record(false));
+    EXPECT_TRUE(QSettings().value("recording/unfinished").toString().isEmpty());
+    auto* const notice = desk.story->find<QLabel>("notice.sentence");
+    EXPECT_FALSE(notice->text().contains("recover"));
+  }
+  Desk desk({{"recording/unfinished", path}});
+  auto* const notice = desk.story->find<QLabel>("notice.sentence");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notice->isVisible() && notice->text().contains("recover"); }, kLong_ms));
+  EXPECT_TRUE(notice->text().contains("2026-01-01_00-00-00_sphere.h5"));
 }
 
 TEST(SessionListStory, WordsOfAFinishedSessionAreChangedInItsDialog) {

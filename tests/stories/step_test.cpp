@@ -138,7 +138,7 @@ TEST(StepStory, GainsGoToTheSceneInOneStepBack) {
   EXPECT_EQ(story.find<QDoubleSpinBox>("panel.step.kp.number")->value(), own.kp_N_per_mm.x());
 }
 
-TEST(StepStory, WhatCannotBeMeasuredIsSaid) {
+TEST(StepStory, NamesWhatCannotBeMeasured) {
   StepLab story("09_wall");
   EXPECT_FALSE(story.perform("step.measure"));
   EXPECT_TRUE(story.text("note").contains("wall"));

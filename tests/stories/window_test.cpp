@@ -5,8 +5,11 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHash>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -17,6 +20,7 @@
 #include <QSettings>
 #include <QTabBar>
 
+#include "tests/stories/language_desk.h"
 #include "tests/stories/story.h"
 
 namespace underact::gui::test {
@@ -153,6 +157,117 @@ TEST(WindowStory, LayoutThemeLayersAndFilesAreRememberedAndResetPutsThePanelsBac
   EXPECT_TRUE(story.find("dock.scenes")->isVisible());
 }
 
+TEST(WindowStory, InverseSolutionsBelongToASceneAndAreGoneWithItWithTheLayoutAndAfterARestart) {
+  {
+    Story story("02_sphere");
+    ASSERT_TRUE(story.perform("layer.ghosts", true));
+    ASSERT_TRUE(story.perform("scene.open", shippedScene("04_plane")));
+    EXPECT_FALSE(story.view().layers().ghosts);
+    EXPECT_FALSE(story.window().actions().find("layer.ghosts")->isChecked());
+    ASSERT_TRUE(story.perform("layer.ghosts", true));
+    ASSERT_TRUE(story.perform("layout.reset"));
+    EXPECT_FALSE(story.view().layers().ghosts);
+    ASSERT_TRUE(story.perform("layer.ghosts", true));
+  }
+  Story again({}, {.first_start = false});
+  EXPECT_FALSE(again.view().layers().ghosts);
+}
+
+/// The letters that Alt opens a menu or does something else with, and what in the panels takes one of them, too.
+QStringList takenTwice(Story& story) {
+  QHash<QKeySequence, QString> taken;
+  QStringList wrong;
+  for (const QAction* menu : story.window().menuBar()->actions())
+    taken.insert(QKeySequence::mnemonic(menu->text()), menu->text());
+  for (const QAction* action : story.window().findChildren<QAction*>()) {
+    if (!action->shortcut().toString().startsWith("Alt+")) continue;
+    if (taken.contains(action->shortcut())) wrong << action->objectName() + " and " + taken.value(action->shortcut());
+    taken.insert(action->shortcut(), action->objectName());
+  }
+  for (const QWidget* widget : story.window().findChildren<QWidget*>()) {
+    const auto* const label = qobject_cast<const QLabel*>(widget);
+    const auto* const button = qobject_cast<const QAbstractButton*>(widget);
+    const QKeySequence key = label != nullptr && label->buddy() != nullptr ? QKeySequence::mnemonic(label->text())
+                             : button != nullptr                           ? button->shortcut()
+                                                                           : QKeySequence();
+    if (!key.isEmpty() && taken.contains(key))
+      wrong << widget->objectName() + ": " + key.toString() + " of " + taken.value(key);
+  }
+  return wrong;
+}
+
+TEST(WindowStory, NoLetterInAPanelTakesTheKeyOfAMenuOrOfAnAction) {
+  {
+    Story story("02_sphere");
+    EXPECT_TRUE(takenTwice(story).isEmpty()) << takenTwice(story).join("\n").toStdString();
+    story.key(Qt::Key_C, Qt::AltModifier);
+    EXPECT_TRUE(story.view().layers().section);
+  }
+  const German german;
+  Story story("02_sphere");
+  EXPECT_TRUE(takenTwice(story).isEmpty()) << takenTwice(story).join("\n").toStdString();
+}
+
+TEST(WindowStory, TabGoesOnThroughTabbedPanelsAndRoundAgain) {
+  {
+    Story before("02_sphere");
+    before.perform("dock.sessions", true);
+    before.perform("lesson.start", "05_jacobian");
+    before.perform("lesson.leave");
+  }
+  Story story("02_sphere", {.first_start = false});  // with a layout from before
+  for (const char* dock : {"dock.kinematics", "dock.robot", "dock.sessions", "dock.servo", "dock.lab"})
+    story.perform(dock, true);
+  for (const char* dock : {"dock.shape", "dock.arm", "dock.devices"}) {
+    story.window().tabifyDockWidget(story.find<QDockWidget>("dock.feel"), story.find<QDockWidget>(dock));
+    story.find(dock)->show();
+  }
+  story.find("dock.feel")->raise();
+  story.settle();
+  QWidget* const save = story.find("panel.feel.button.scene.save_as");
+  save->setFocus(Qt::TabFocusReason);
+  QSet<QWidget*> seen;
+  QWidget* last = nullptr;
+  for (int tabs = 0; tabs < 400 && !seen.contains(QApplication::focusWidget()); ++tabs) {
+    last = QApplication::focusWidget();
+    ASSERT_NE(last, nullptr);
+    ASSERT_TRUE(last->isVisible());
+    seen.insert(last);
+    story.key(Qt::Key_Tab);
+    ASSERT_NE(QApplication::focusWidget(), last) << last->objectName().toStdString() << " keeps the focus";
+  }
+  EXPECT_TRUE(seen.contains(story.find("button.session.start"))) << last->objectName().toStdString();
+  EXPECT_EQ(QApplication::focusWidget(), save) << "it goes round";
+}
+
+TEST(WindowStory, TheFocusIsSeenOnStop) {
+  Story story("02_sphere");
+  QWidget* const stop = story.find("button.session.stop");
+  story.view().setFocus();
+  story.settle();
+  const QImage without = stop->grab().toImage();
+  stop->setFocus(Qt::TabFocusReason);
+  story.settle();
+  EXPECT_NE(stop->grab().toImage(), without);
+}
+
+TEST(WindowStory, AfterARestartWhileMaximisedTheNormalSizeIsTheOneFromBefore) {
+  QSize normal;
+  {
+    Story story("02_sphere", {.size = QSize(1100, 700)});
+    normal = story.window().normalGeometry().size();
+    story.window().showMaximized();
+    story.settle(200);
+    story.window().document().undoStack().setClean();
+    story.window().close();
+  }
+  for (int restart = 0; restart < 2; ++restart) {
+    Story story("02_sphere", {.first_start = false});
+    EXPECT_TRUE(story.window().isMaximized());
+    EXPECT_EQ(story.window().normalGeometry().size(), normal) << restart;
+  }
+}
+
 TEST(WindowStory, SettingsOfANewerProgramAreSaidToBeAndLeftAsTheyAre) {
   {
     Story older("04_plane");  // without a version, as the first release wrote them
@@ -188,6 +303,21 @@ TEST(WindowStory, NothingIsCutAtTheSmallestUsableSize) {
     EXPECT_TRUE(story.window().rect().contains(there)) << name;
     EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << name;
   }
+}
+
+TEST(WindowStory, AtTheSmallestSizeAllButtonsOfTheToolBarAndTheFieldsOfFeelAreInTheWindow) {
+  Story story("14_circle_influence", {.size = QSize(800, 560)});
+  story.settle(200);
+  ASSERT_EQ(story.window().size(), QSize(800, 560));
+  for (const char* part : {"toolbar", "panel.feel"}) {
+    for (QWidget* widget : story.find(part)->findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->objectName().startsWith("qt_") || widget->objectName().isEmpty()) continue;
+      const int right = widget->mapTo(&story.window(), QPoint(widget->width(), 0)).x();
+      EXPECT_LE(right, story.window().width()) << widget->objectName().toStdString();
+    }
+  }
+  for (const char* button : {"button.help.guide", "button.dock.lessons", "button.session.record"})
+    EXPECT_TRUE(story.find(button)->isVisible()) << button;
 }
 
 TEST(WindowStory, WhatAStoryHoldsBackIsPaintedWhenItWaitsOrASecondHasPassed) {

@@ -20,7 +20,7 @@ const Json& at(const Json& object, std::string_view key) {
 }
 
 double number(const Json& json) {
-  return json.kind == json::Kind::Number ? json.number : kNotANumber;
+  return json.kind == json::JsonKind::Number ? json.number : kNotANumber;
 }
 
 Vec3 vector(const Json& json) {

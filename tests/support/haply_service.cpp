@@ -33,7 +33,7 @@ struct HaplyService::Impl {
   void take(const std::string& frame);
 
   const Options options;
-  web_socket::Loop loop;
+  web_socket::EventLoop loop;
   web_socket::Listener listener{loop};
   std::set<std::shared_ptr<Connection>> connections;
   std::thread thread;

@@ -2,7 +2,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "device/catalogue.h"
+#include "device/driver.h"
 
 namespace underact::gui {
 

@@ -168,12 +168,12 @@ void SecondArm::moveHand() {
   if (!mirrors_ || arms_->simulated() == nullptr) return;
   const arm::MirrorPlane plane = scene::mirrorPlaneOf(document_->scene());
   if (const device::SimulatedArm* hand = first_arms_.simulated()) {
-    simulated_.arm->setSetpoint(mirrored(hand->setpoint(), plane));
+    simulated_.arm->glideTo(mirrored(hand->setpoint(), plane));
     return;
   }
   const tick::TickReport report = first_.snapshot().report;
   if (report.p_WT.allFinite())
-    simulated_.arm->setSetpoint(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}, plane));
+    simulated_.arm->glideTo(mirrored({report.p_WT, Vec3::Zero(), Mat3::Identity(), false}, plane));
 }
 
 void SecondArm::poll() {

@@ -47,10 +47,10 @@ ProcedurePage* CalibrationPanel::noBeamsPage() {
   ProcedurePage* const page = addPage();
   auto* open =
       page->button("panel.calibration.open", tr("&Open the two beams"), tr("Opens the scene “Two beams, one softer”."));
-  page->column()->addWidget(quietLabel(
-      "panel.calibration.no_beams",
-      tr("A calibration needs a scene with two beams whose stiffness can be set. This scene has no such beams."),
-      page));
+  page->column()->addWidget(quietLabel("panel.calibration.no_beams",
+                                       tr("A threshold measurement needs a scene with two beams whose stiffness can be "
+                                          "set. This scene has no such beams."),
+                                       page));
   page->column()->addWidget(open);
   page->column()->addStretch(1);
   connect(open, &QPushButton::clicked, this,

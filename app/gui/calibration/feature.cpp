@@ -8,7 +8,7 @@ namespace underact::gui {
 
 FeatureRow calibrationFeature() {
   return {
-      .panels = {{"calibration", QT_TRANSLATE_NOOP("panel", "Calibration"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
+      .panels = {{"calibration", QT_TRANSLATE_NOOP("panel", "Threshold"), Qt::LeftDockWidgetArea, "Ctrl+Alt+8",
                   QT_TRANSLATE_NOOP(
                       "panel", "Measures the smallest difference of stiffness that a hand can feel, with two beams."),
                   [](const FeatureParts& all, QWidget* parent) -> Panel* {

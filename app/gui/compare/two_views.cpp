@@ -58,10 +58,17 @@ bool TwoViews::showsRight() const {
 }
 
 void TwoViews::showRight(bool on) {
+  if (on == showsRight()) return;
   if (on && right_ == nullptr) makeRight();
-  if (on) follow();
+  if (on) {
+    whole_ = left_.viewpoint();
+    left_.setViewpoint({whole_.camera, true});  // half as wide, it would be cut
+    follow();
+  }
   left_head_->setVisible(on);
   right_half_->setVisible(on);
+  if (!on && !whole_.fits && left_.viewpoint().fits)
+    left_.setViewpoint(whole_);  // as it was, if nobody turned it since
 }
 
 void TwoViews::setHeads(const QString& left, const QString& right) {

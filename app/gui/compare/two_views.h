@@ -34,7 +34,8 @@ class TwoViews : public QWidget {
   QWidget* right_half_;
   SceneView* right_ = nullptr;  // created when first needed: it costs time and memory
   QLabel *left_head_, *right_head_;
-  Viewpoint seen_;  // of both views
+  Viewpoint seen_;   // of both views
+  Viewpoint whole_;  // of the left one, before there were two
   Theme theme_ = Theme::light();
 };
 

@@ -54,8 +54,8 @@ void CurveDialog::buildChoices() {
   kind_ = new QComboBox(this);
   kind_->setObjectName("dialog.curve.kind");
   kind_->setAccessibleName(tr("Interpolation between the points"));
-  kind_->addItem(tr("smooth (spline)"), static_cast<int>(curve::Kind::Spline));
-  kind_->addItem(tr("straight lines (polyline)"), static_cast<int>(curve::Kind::Polyline));
+  kind_->addItem(tr("smooth (spline)"), static_cast<int>(curve::CurveKind::Spline));
+  kind_->addItem(tr("straight lines (polyline)"), static_cast<int>(curve::CurveKind::Polyline));
   closed_ = new QCheckBox(tr("C&losed: from the last point back to the first"), this);
   closed_->setObjectName("dialog.curve.closed");
   closed_->setAccessibleName(tr("Closed"));
@@ -105,7 +105,7 @@ void CurveDialog::refresh() {
 
 scene::Constraint CurveDialog::constraint() const {
   scene::Curve curve;
-  curve.kind = static_cast<curve::Kind>(kind_->currentData().toInt());
+  curve.kind = static_cast<curve::CurveKind>(kind_->currentData().toInt());
   curve.closed = closed_->isChecked();
   curve.points = points_;
   return fromFile(std::move(curve), scale_->value(), 0.5 * (low_ + high_));

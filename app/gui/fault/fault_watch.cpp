@@ -29,16 +29,16 @@ record::FaultWords wordsOfException(const std::string& message) {
 
 }  // namespace
 
-FaultWatch::FaultWatch(const FeatureParts& parts)
-    : QObject(parts.window),
-      servo_(parts.servo),
-      control_(parts.control),
-      actions_(parts.actions),
-      window_(parts.window),
-      recent_(static_cast<std::size_t>(parts.servo.rateHz())) {  // one second
-  connect(&parts.rate, &ServoRate::changed, this,
+FaultWatch::FaultWatch(ServoFacts servo, ServoControl control, const ServoRate& rate, Actions& actions, QWidget* window)
+    : QObject(window),
+      servo_(servo),
+      control_(control),
+      actions_(actions),
+      window_(window),
+      recent_(static_cast<std::size_t>(servo.rateHz())) {  // one second
+  connect(&rate, &ServoRate::changed, this,
           [this](int, int rate_hz) { recent_ = servo::History(static_cast<std::size_t>(rate_hz)); });
-  connect(&parts.actions, &Actions::locked, this, [this] {
+  connect(&actions, &Actions::locked, this, [this] {
     if (dialog_ != nullptr) dialog_->close();
   });
   actions_

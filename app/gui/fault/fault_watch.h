@@ -21,7 +21,7 @@ struct ShownFault;
 class FaultWatch : public QObject, public ServoListener {
   Q_OBJECT
  public:
-  explicit FaultWatch(const FeatureParts& parts);
+  FaultWatch(ServoFacts servo, ServoControl control, const ServoRate& rate, Actions& actions, QWidget* window);
   ~FaultWatch() override;
   void add(const servo::TickRecord& record) override { recent_.add(record); }  // for an error in the window
   void poll(const servo::Snapshot& snapshot) override;

@@ -1,12 +1,14 @@
 #include "app/gui/feature/feature.h"
 
+#include <QMainWindow>
+
 #include "app/gui/fault/fault_watch.h"
 
 namespace underact::gui {
 namespace {
 
 void makeFault(const FeatureParts& parts, ServoListeners& listeners) {
-  listeners.push_back(new FaultWatch(parts));
+  listeners.push_back(new FaultWatch(parts.servo, parts.control, parts.rate, parts.actions, parts.window));
 }
 
 }  // namespace

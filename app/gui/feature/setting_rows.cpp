@@ -119,7 +119,7 @@ QLineEdit* SettingRows::addText(const SettingRowSpec& spec, QFormLayout* into, Q
 
 void SettingRows::present(const Document& document, std::size_t index,
                           const std::function<bool(const std::string&)>& is_idle) {
-  for (const Row& row : rows_) {
+  for (const SettingRow& row : rows_) {
     const SettingValue now = document.value(index, row.path);
     const bool is_there = !scene::isNone(now);
     row.show(is_there && !(is_idle && is_idle(row.path)));
@@ -129,7 +129,7 @@ void SettingRows::present(const Document& document, std::size_t index,
 
 bool SettingRows::isHeld() const {
   return std::any_of(rows_.begin(), rows_.end(),
-                     [](const Row& row) { return row.slider != nullptr && row.slider->isHeld(); });
+                     [](const SettingRow& row) { return row.slider != nullptr && row.slider->isHeld(); });
 }
 
 }  // namespace underact::gui

@@ -61,7 +61,7 @@ class SettingRows : public QObject {
   void refused(const underact::Problems& problems);
 
  private:
-  struct Row {
+  struct SettingRow {
     std::string path;
     std::function<void(const scene::SettingValue& now, const scene::SettingValue& own)> present;
     std::function<void(bool on)> show;
@@ -69,7 +69,7 @@ class SettingRows : public QObject {
   };
   ValueRow* makeNumber(const SettingRowSpec& spec, QWidget* parent);
 
-  std::vector<Row> rows_;
+  std::vector<SettingRow> rows_;
 };
 
 }  // namespace underact::gui

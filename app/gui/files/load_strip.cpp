@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/gui/kit/message_label.h"
+#include "app/gui/kit/problems_dialog.h"
 
 namespace underact::gui {
 namespace {
@@ -67,6 +68,7 @@ LoadStrip::~LoadStrip() = default;
 
 void LoadStrip::begin(const QString& what, Work work, Done done) {
   if (load_ != nullptr) cancel();
+  closeProblems();
   load_ = std::make_unique<Load>(what, std::move(work), std::move(done));
   show({}, 0.0);
   setVisible(true);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/gui/files/load_strip.h"
+#include "app/gui/files/tuned_scenes.h"
 #include "app/gui/kit/file_question.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/shipped.h"
@@ -18,6 +19,7 @@
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/scene_loading.h"
 #include "app/gui/view/drawn_mesh.h"
+#include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/mirror.h"
 #include "core/scene/read.h"
@@ -70,51 +72,62 @@ bool SceneFiles::open(const QString& path) {
     problems_->show(path, read.problems());
     return false;
   }
-  if (!scene::lacksMeshes(read.value())) return put(std::move(read).value());
-  loadAndPut(std::move(read).value());
+  Read opened{std::move(read).value()};
+  if (isShipped(file) && !document_.keepsAsWritten()) opened.tuned = tuned_scenes::of(opened.scene);
+  if (!scene::lacksMeshes(opened.scene)) return put(std::move(opened));
+  loadAndPut(std::move(opened));
   return true;
 }
 
-void SceneFiles::loadAndPut(scene::Description scene) {
+void SceneFiles::loadAndPut(Read read) {
   struct Loaded {
-    scene::Description scene;
+    Read read;
     Problems problems;
     std::vector<target::CurvePath> curves;
   };
   const auto loaded = std::make_shared<Loaded>();
-  loaded->scene = std::move(scene);
-  const QString path = QString::fromStdString(loaded->scene.file);
+  loaded->read = std::move(read);
+  const QString path = QString::fromStdString(loaded->read.scene.file);
   loads_.begin(
       tr("Loading the files of %1").arg(QFileInfo(path).fileName()),
       [loaded, is_mirrored = document_.opensMirrored()](const TaskMonitor& monitor) {
-        loaded->problems = scene::loadMeshes(loaded->scene, monitor);
+        Read& now = loaded->read;
+        loaded->problems = scene::loadMeshes(now.scene, monitor);
+        if (now.tuned && !scene::loadMeshes(*now.tuned, monitor).empty()) now.tuned.reset();
         if (!loaded->problems.empty()) return;
-        loaded->curves = madeCurves(is_mirrored ? scene::mirrored(loaded->scene) : loaded->scene, monitor);
-        makeDrawnMeshes(loaded->scene, monitor);
+        const scene::Description& seen = now.tuned ? *now.tuned : now.scene;
+        loaded->curves = madeCurves(is_mirrored ? scene::mirrored(seen) : seen, monitor);
+        makeDrawnMeshes(seen, monitor);
       },
-      [this, loaded, path] {
+      [this, loaded, path, before = document_.scene()] {
         if (!loaded->problems.empty()) {
           problems_->show(path, loaded->problems);
-        } else if (settleEdits()) {  // edits made during loading
-          static_cast<void>(put(std::move(loaded->scene)));
+        } else if (scene::isSame(document_.scene(), before) || settleEdits()) {  // edits made during loading
+          static_cast<void>(put(std::move(loaded->read)));
         }
       });
 }
 
-bool SceneFiles::put(scene::Description scene) {
-  const QString path = QString::fromStdString(scene.file);
-  const Problems problems = document_.open(std::move(scene));
+bool SceneFiles::put(Read read) {
+  const QString path = QString::fromStdString(read.scene.file);
+  Problems problems = document_.open(read.scene, read.tuned);
+  const bool is_tuned = read.tuned && problems.empty();
+  if (read.tuned && !is_tuned) problems = document_.open(std::move(read.scene));
   if (!problems.empty()) {
     problems_->show(path, problems);
     return false;
   }
-  problems_->hide();
+  closeProblems();
   if (!path.isEmpty() && !isShipped(path)) recent_.add(path);
+  tunable_ = isShipped(path) && !document_.keepsAsWritten() ? path : QString();
+  if (is_tuned) emit tunedAgain();
   return true;
 }
 
 bool SceneFiles::openLoaded(scene::Description scene) {
-  return settleEdits() && put(std::move(scene));
+  if (!settleEdits() || !put({std::move(scene)})) return false;
+  tunable_.clear();  // it may not be as in its file
+  return true;
 }
 
 void SceneFiles::chooseAndOpen() {
@@ -141,7 +154,16 @@ void SceneFiles::chooseAndSave() {
                  [this](const QString& path) { saveAs(path); });
 }
 
+/// Whether nobody needs to be asked: the scene is one that came with the program.
+bool SceneFiles::keepTuning() const {
+  if (tunable_.isEmpty() || document_.path() != tunable_) return false;
+  const scene::Description original = document_.originalAsWritten(), now = document_.asWritten();
+  if (document_.modified() || scene::isSame(original, now)) tuned_scenes::keep(original, now);
+  return true;
+}
+
 bool SceneFiles::settleEdits() {
+  if (keepTuning()) return true;
   if (!document_.modified()) return true;
   const QString title = QString::fromStdString(document_.scene().title);
   const bool is_new = document_.path().isEmpty() && !document_.showsRecorded();

@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QString>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/scene/description.h"
@@ -28,22 +29,31 @@ class SceneFiles : public QObject {
   void chooseAndOpen();
   bool saveAs(const QString& path);
   void chooseAndSave();
-  /// Asks what to do with unsaved edits, if any. false: the user cancelled.
+  /// Asks what to do with unsaved edits, if any; those of a scene that came with the program are kept for the next time
+  /// instead. false: the user cancelled.
   bool settleEdits();
 
  signals:
   void saved(const QString& path);
+  void tunedAgain();  // a scene was opened as it was left
 
  private:
   bool saveBeforeLeaving();
-  bool put(scene::Description scene);
-  void loadAndPut(scene::Description scene);
+  /// As in its file, and as it was left last, if otherwise.
+  struct Read {
+    scene::Description scene;
+    std::optional<scene::Description> tuned = {};
+  };
+  bool put(Read read);
+  void loadAndPut(Read read);
+  bool keepTuning() const;
 
   Document& document_;
   RecentFiles& recent_;
   LoadStrip& loads_;
   QWidget* window_;
   ProblemsDialog* problems_;
+  QString tunable_;  // the file of the scene that was opened, if nobody saves that one
 };
 
 }  // namespace underact::gui

@@ -35,6 +35,8 @@ DhPanel::DhPanel(const Parts& parts, QWidget* parent) : Panel(parent), parts_(pa
   build();
   addCommands();
   start({});
+  connect(&parts_.document, &Document::opened, this, &DhPanel::followScene);
+  connect(&parts_.document, &Document::edited, this, &DhPanel::followScene);
 }
 
 void DhPanel::build() {
@@ -114,7 +116,15 @@ void DhPanel::addCommands() {
   });
 }
 
+/// With another arm in the scene its table is shown, unless that of a certain arm was chosen.
+void DhPanel::followScene() {
+  const bool is_scenes = start_->currentData().toString().isEmpty();
+  if (is_scenes && !(scene::armOf(parts_.document.scene()).geometry == of_scene_)) start({});
+}
+
 bool DhPanel::start(const QString& key) {
+  if (const int index = start_->findData(key); index >= 0) start_->setCurrentIndex(index);
+  if (key.isEmpty()) of_scene_ = scene::armOf(parts_.document.scene()).geometry;
   const auto starts = dhStarts();
   const auto* const textbook = std::find_if(starts.data(), starts.data() + starts.size(),
                                             [&](const DhStart& one) { return key == QLatin1String(one.key); });

@@ -36,6 +36,7 @@ class DhPanel : public Panel {
   void buildButtons(QVBoxLayout* column);
   void addCommands();
   bool start(const QString& key);  // of a textbook arm, of a model; "": the scene's arm
+  void followScene();
   bool type(int row, int field, const QString& text);
   bool change(const DhTable& table);
   bool follow(bool on);
@@ -47,6 +48,7 @@ class DhPanel : public Panel {
 
   Parts parts_;
   Undoable<DhTable> tables_;
+  arm::Geometry of_scene_;      // of the arm whose table was begun with last
   arm::JointAngles q_rad_{};    // of the arm
   Vec3 p_WT_ = Vec3::Zero();    // position of its tip
   std::int64_t shown_ns_ = -1;  // time of the numbers shown

@@ -211,10 +211,10 @@ std::vector<DrawnMeasure> measuresOf(const DhTable& table, std::span<const doubl
     measures.push_back({QStringLiteral("%1 %2°").arg(letter, numberText(angle_rad / kRadPerDegree, 1)), axis, foot_W,
                         leg_W, angle_rad, about_W});
   };
-  const auto length = [&](const QString& letter, int axis, const Vec3& from_W, const Vec3& way_W, double length_m) {
+  const auto length = [&](const QString& letter, int axis, const Vec3& from_W, const Vec3& to_end_W, double length_m) {
     if (std::abs(length_m) < kNoLength_m) return;
-    measures.push_back(
-        {QStringLiteral("%1 %2 mm").arg(letter, numberText(kMillimetrePerMetre * length_m, 1)), axis, from_W, way_W});
+    measures.push_back({QStringLiteral("%1 %2 mm").arg(letter, numberText(kMillimetrePerMetre * length_m, 1)), axis,
+                        from_W, to_end_W});
   };
   turn(QStringLiteral("α"), 0, kArcOfAlpha_m * before.linear().col(2), dh.alpha_rad, x_W);
   length(QStringLiteral("a"), 0, before.translation(), dh.a_m * x_W, dh.a_m);

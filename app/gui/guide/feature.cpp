@@ -6,7 +6,7 @@ namespace underact::gui {
 namespace {
 
 void makeGuide(const FeatureParts& parts, ServoListeners& listeners) {
-  listeners.push_back(new GuideTool(parts));
+  listeners.push_back(new GuideTool(parts.actions, parts.pages, parts.settings, parts.window));
 }
 
 }  // namespace

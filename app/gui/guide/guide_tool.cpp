@@ -15,13 +15,14 @@
 
 namespace underact::gui {
 
-GuideTool::GuideTool(const FeatureParts& parts)
-    : QObject(parts.window),
-      actions_(parts.actions),
-      pages_(parts.pages),
-      place_(parts.settings.guide_page),
-      zoom_(parts.settings.guide_zoom),
-      main_(parts.window) {
+GuideTool::GuideTool(Actions& actions, const std::vector<HelpPage>& pages, const Settings& settings,
+                     QMainWindow* window)
+    : QObject(window),
+      actions_(actions),
+      pages_(pages),
+      place_(settings.guide_page),
+      zoom_(settings.guide_zoom),
+      main_(window) {
   // If nothing has the focus: the page read last.
   const auto wanted = [this](const QVariantList& arguments) {
     if (!arguments.isEmpty()) return arguments.first().toString();

@@ -15,7 +15,7 @@ class GuideWindow;
 class GuideTool : public QObject, public ServoListener {
   Q_OBJECT
  public:
-  explicit GuideTool(const FeatureParts& parts);
+  GuideTool(Actions& actions, const std::vector<HelpPage>& pages, const Settings& settings, QMainWindow* window);
   void remember(Settings& settings) override;
 
  private:

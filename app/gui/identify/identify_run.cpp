@@ -273,7 +273,7 @@ void IdentifyRun::fitLive() {
   const std::size_t first = firstOfAxis();
   if (recorded.size() < first + 3 || recorded.size() == fitted_stages_) return;
   fitted_stages_ = recorded.size();
-  std::vector<identify::Row> rows;
+  std::vector<identify::MotionRow> rows;
   for (std::size_t index = first; index + 1 < recorded.size(); ++index)
     rows.insert(rows.end(), recorded[index].rows.begin(), recorded[index].rows.end());
   const int axis = measurement_->plan().stages[recorded.back().stage].axis;
@@ -296,7 +296,7 @@ SwingPicture IdentifyRun::picture() const {
   const double period_s = 1.0 / parts_.servo.rateHz();
   double t_s = 0.0;
   for (std::size_t index = first; index < recorded.size(); ++index) {
-    for (const identify::Row& row : recorded[index].rows) {
+    for (const identify::MotionRow& row : recorded[index].rows) {
       picture.target.push_back({t_s, kMillimetrePerMetre * row.p_WP[axis]});
       picture.measured.push_back({t_s, kMillimetrePerMetre * row.p_WT[axis]});
       t_s += period_s;

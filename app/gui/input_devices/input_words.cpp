@@ -59,13 +59,13 @@ QString pressTitle(input::ButtonRole press) {
   return tr(kTitles[static_cast<std::size_t>(press)]);
 }
 
-QString kindText(input::Kind kind) {
+QString kindText(input::InputKind kind) {
   switch (kind) {
-    case input::Kind::Controller:
+    case input::InputKind::Controller:
       return tr("game controller");
-    case input::Kind::Joystick:
+    case input::InputKind::Joystick:
       return tr("joystick");
-    case input::Kind::SpaceMouse:
+    case input::InputKind::SpaceMouse:
       return tr("3D mouse");
   }
   return {};

@@ -14,7 +14,7 @@ QString motionAxisTitle(device::input::MotionAxis motion);
 QString motionAxisPrompt(device::input::MotionAxis motion);
 /// "Stylus button 1"
 QString pressTitle(device::input::ButtonRole press);
-QString kindText(device::input::Kind kind);
+QString kindText(device::input::InputKind kind);
 
 /// "left stick, right"; "axis 3" if it has no name.
 QString axisText(const device::input::DeviceState& seen, int axis);

@@ -57,10 +57,14 @@ void JointsSection::setArm(const arm::Preset& preset, const arm::Model& model) {
 }
 
 void JointsSection::setMovable(const QString& refusal) {
-  const QString text = refusal.isEmpty() ? tr("Each slider moves the simulated hand, which moves the arm.") : refusal;
-  if (note_->text() == text) return;
-  note_->setText(text);
+  refusal_ = refusal;
   for (JointRow* row : rows_) row->setEnabled(refusal.isEmpty());
+}
+
+void JointsSection::setRemark(const QString& remark) {
+  updateText(note_, !refusal_.isEmpty() ? refusal_
+                    : !remark.isEmpty() ? remark
+                                        : tr("Each slider moves the simulated hand, which moves the arm."));
 }
 
 void JointsSection::present(const KinematicsNow& now) {

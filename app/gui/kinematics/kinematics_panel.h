@@ -6,6 +6,7 @@
 #include "core/arm/model.h"
 #include "core/sim/hand.h"
 
+class QLabel;
 class QVBoxLayout;
 
 namespace underact::gui {
@@ -44,9 +45,18 @@ class KinematicsPanel : public Panel {
   bool showAll(bool on);
   bool isDue(const servo::Snapshot& snapshot);
   bool setJoint(int joint, double angle_deg, bool relative);
+  bool moveToSolution(int number);
+  void moveArm(const arm::JointAngles& q_rad);
+  void settleArm(std::int64_t now_ns);
+  void travel(std::int64_t now_ns);
+  bool mayMove() const;
+  bool leadsArm() const;
   bool showSolution(int number);
+  QString whyNotTo(int number) const;
+  QString whyNotAsTyped() const;
 
   Parts parts_;
+  QLabel* scale_ = nullptr;
   JointsSection* joints_ = nullptr;
   SingularitiesSection* singularities_ = nullptr;
   SolutionsSection* solutions_ = nullptr;
@@ -68,6 +78,15 @@ class KinematicsPanel : public Panel {
   // them, so steps from the actual angles would never add up.
   arm::JointAngles setpoint_rad_{};
   std::optional<sim::HandSetpoint> setpoint_;
+  std::int64_t commanded_ns_ = -1;
+  /// On the way to a solution.
+  struct Travel {
+    arm::JointAngles from{}, to{};
+    std::int64_t began_ns = -1;
+  };
+  std::optional<Travel> travel_;
+  bool is_settled_ = true;      // the arm stands where it was commanded to
+  std::int64_t rests_ns_ = -1;  // since when it has the angles of the last snapshot
 };
 
 }  // namespace underact::gui

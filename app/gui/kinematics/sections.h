@@ -27,6 +27,8 @@ class JointsSection : public Section {
   void setArm(const arm::Preset& preset, const arm::Model& model);
   /// refusal: a sentence; empty: the sliders move the arm.
   void setMovable(const QString& refusal);
+  /// Why an angle is not as typed; empty: it is.
+  void setRemark(const QString& remark);
   void present(const KinematicsNow& now);
  signals:
   void asked(int joint, double angle_deg);
@@ -35,6 +37,7 @@ class JointsSection : public Section {
  private:
   std::array<JointRow*, arm::kMaxJoints> rows_{};
   std::array<double, arm::kMaxJoints> per_unit_{};  // rad in a degree, m in a mm
+  QString refusal_;
   QLabel* note_;
 };
 
@@ -66,8 +69,13 @@ class SolutionsSection : public Section {
   int max() const { return rows_; }
   /// Whether the sentence with the number of solutions is hidden: a lesson asks for it.
   void hideCounts(bool on);
+  /// The one of that number now, or null.
+  const NumberedSolution* find(int number) const { return solutions_.find(number); }
+  /// Why the arm does not move to the chosen one; empty: it does.
+  void setMovable(const QString& refusal);
  signals:
   void wanted(int number);  // also the same one again; 0: none
+  void moveAsked(int number);
 
  private:
   void buildTable();
@@ -82,7 +90,8 @@ class SolutionsSection : public Section {
   int rows_ = -1;
   QLabel *status_, *angles_;
   QTableWidget* table_;
-  QPushButton *again_, *none_;
+  QPushButton *again_, *none_, *move_;
+  QLabel* why_not_;
   NumberedSolutions solutions_;
   arm::JointAngles q_rad_{};
 };

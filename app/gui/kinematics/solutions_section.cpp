@@ -104,8 +104,10 @@ SolutionsSection::SolutionsSection(QWidget* parent)
       status_(quietLabel("panel.kinematics.solutions.status", QString(), this)),
       angles_(quietLabel("panel.kinematics.solutions.angles", QString(), this)),
       table_(new QTableWidget(kMaxSolutions, kSolutionColumns, this)),
-      again_(new QPushButton(tr("&Go there"), this)),
-      none_(new QPushButton(tr("Show &none"), this)) {
+      again_(new QPushButton(tr("Show the &way"), this)),
+      none_(new QPushButton(tr("Show none"), this)),
+      move_(new QPushButton(tr("Move the &arm there"), this)),
+      why_not_(quietLabel("panel.kinematics.solutions.why_not", QString(), this)) {
   status_->setAlignment(Qt::AlignTop);
   angles_->setAlignment(Qt::AlignTop);
   buildTable();
@@ -118,12 +120,18 @@ SolutionsSection::SolutionsSection(QWidget* parent)
   column().addWidget(angles_);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(4);
-  for (QPushButton* button : {again_, none_}) {
+  nameWidget(move_, "panel.kinematics.solutions.move", tr("Move the arm to the selected solution"),
+             tr("Moves the simulated arm from the current joint angles to the selected solution."));
+  for (QPushButton* button : {again_, none_, move_}) {
     button->setAutoDefault(false);
     button->setEnabled(false);
-    buttons->addWidget(button);
+    if (button != move_) buttons->addWidget(button);
   }
   column().addLayout(buttons);
+  column().addWidget(move_);
+  column().addWidget(why_not_);
+  why_not_->hide();
+  connect(move_, &QPushButton::clicked, this, [this] { emit moveAsked(chosen()); });
   connect(again_, &QPushButton::clicked, this, [this] { emit wanted(chosen()); });
   connect(none_, &QPushButton::clicked, this, [this] { table_->clearSelection(); });
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
@@ -139,6 +147,11 @@ SolutionsSection::SolutionsSection(QWidget* parent)
 
 void SolutionsSection::hideCounts(bool on) {
   status_->setVisible(!on);
+}
+
+void SolutionsSection::setMovable(const QString& refusal) {
+  move_->setEnabled(chosen() > 0 && refusal.isEmpty());
+  showMessage(why_not_, chosen() > 0 ? refusal : QString());
 }
 
 void SolutionsSection::buildTable() {

@@ -22,11 +22,14 @@ QString placeNumber(int number) {
   return number > 0 ? QString::number(number) : QString();
 }
 
+constexpr const char* kOfFile = "saysWhatIsWrongWithAFile";
+
 }  // namespace
 
 ProblemsDialog::ProblemsDialog(QWidget* parent)
     : QDialog(parent), heading_(new QLabel(this)), table_(new QTableWidget(this)) {
   setObjectName("dialog.problems");
+  setProperty(kOfFile, true);
   setModal(false);  // a broken file must not block access to the arm
   setWindowTitle(tr("Scene not opened"));
   resize(720, 360);
@@ -109,10 +112,17 @@ void showProblemsBox(const QString& name, const QString& title, const QString& w
   }
   auto* box = new QMessageBox(QMessageBox::Warning, title, what, QMessageBox::Ok, window);
   box->setObjectName(name);
+  box->setProperty(kOfFile, name.endsWith("_problems"));
   box->setInformativeText(sentences.join("\n"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setModal(false);
   box->show();
+}
+
+void closeProblems() {
+  for (QWidget* widget : QApplication::topLevelWidgets()) {
+    if (widget->isVisible() && widget->property(kOfFile).toBool()) widget->close();
+  }
 }
 
 }  // namespace underact::gui

@@ -32,4 +32,7 @@ class ProblemsDialog : public QDialog {
 void showProblemsBox(const QString& name, const QString& title, const QString& what, const Problems& problems,
                      QWidget* window);
 
+/// Closes all that says what is wrong with a file: the next one is being opened.
+void closeProblems();
+
 }  // namespace underact::gui

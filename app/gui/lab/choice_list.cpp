@@ -72,9 +72,9 @@ ChoiceList::ChoiceList(QWidget* parent) : QWidget(parent), column_(new QVBoxLayo
   column_->setSpacing(8);
 }
 
-ChoiceList::Row ChoiceList::makeRow(const ChoiceWords& words) {
+ChoiceList::ChoiceRow ChoiceList::makeRow(const ChoiceWords& words) {
   const QByteArray name = QString("panel.lab.choice.%1").arg(words.key).toUtf8();
-  Row row;
+  ChoiceRow row;
   row.key = words.key;
   row.all = new QWidget(this);
   row.all->setObjectName(name);
@@ -93,14 +93,14 @@ ChoiceList::Row ChoiceList::makeRow(const ChoiceWords& words) {
 
 void ChoiceList::present(const std::vector<ChoiceWords>& words) {
   const bool is_same = std::equal(rows_.begin(), rows_.end(), words.begin(), words.end(),
-                                  [](const Row& row, const ChoiceWords& one) { return row.key == one.key; });
+                                  [](const ChoiceRow& row, const ChoiceWords& one) { return row.key == one.key; });
   if (!is_same) {
-    for (const Row& row : rows_) delete row.all;
+    for (const ChoiceRow& row : rows_) delete row.all;
     rows_.clear();
     for (const ChoiceWords& one : words) rows_.push_back(makeRow(one));
   }
   for (std::size_t index = 0; index < words.size(); ++index) {
-    const Row& row = rows_[index];
+    const ChoiceRow& row = rows_[index];
     showMessage(row.value, tr("%1: %2").arg(words[index].name, words[index].value));
     showMessage(row.figures, words[index].figures);
     showMessage(row.mark, words[index].mark);

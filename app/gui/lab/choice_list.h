@@ -30,15 +30,15 @@ class ChoiceList : public QWidget {
   void present(const std::vector<ChoiceWords>& words);
 
  private:
-  struct Row {
+  struct ChoiceRow {
     QString key;
     QWidget* all = nullptr;
     QLabel *value = nullptr, *figures = nullptr, *mark = nullptr;
   };
-  Row makeRow(const ChoiceWords& words);
+  ChoiceRow makeRow(const ChoiceWords& words);
 
   QVBoxLayout* column_;
-  std::vector<Row> rows_;
+  std::vector<ChoiceRow> rows_;
 };
 
 }  // namespace underact::gui

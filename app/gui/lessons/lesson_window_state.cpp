@@ -59,6 +59,7 @@ bool LessonWindowState::arrange(const lesson::Lesson& lesson, std::size_t step) 
     const bool wanted = std::find(now.layers.begin(), now.layers.end(), layer.name) != now.layers.end();
     showLayer(layer.name, wanted || shown.*layer.shown);
   }
+  parts_.actions.perform("solution.show", 0);  // the ghost of another step is not of this one
   showPanels(now.panels);
   parts_.actions.perform("view." + (now.camera.empty() ? QString("home") : QString::fromStdString(now.camera)));
   return true;
@@ -113,6 +114,7 @@ void LessonWindowState::putBack() {
     static_cast<void>(parts_.document.open(scene_));  // it was in effect before
   }
   for (const char* name : lesson::layerNames()) showLayer(name, layers_.value(layerAction(name)));
+  parts_.actions.perform("solution.show", 0);
   window()->restoreState(docks_);
   parts_.view.setViewpoint(viewpoint_);
 }

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QSaveFile>
 #include <QSettings>
@@ -167,8 +168,14 @@ bool LessonsPanel::step(int by) {
 
 void LessonsPanel::showState() {
   if (run_->isOn()) {
+    const bool begins = pages_->currentWidget() != page_;
+    const QPointer<QWidget> focus = window()->focusWidget();
+    const bool had_focus = page_->isAncestorOf(focus);
     page_->showStep();
     pages_->setCurrentWidget(page_);
+    // What had it may be gone with the last step: Qt would go on to any other.
+    if (!parts_.view.hasFocus() && (begins || (had_focus && window()->focusWidget() != focus)))
+      page_->text().setFocus(Qt::OtherFocusReason);
   } else {
     const bool had_focus = page_->isAncestorOf(window()->focusWidget());
     list_->rebuild();
@@ -182,6 +189,8 @@ void LessonsPanel::showState() {
 
 void LessonsPanel::enableActions() {
   const bool on = run_->isOn();
+  const QWidget* const focus = window()->focusWidget();
+  const bool had_focus = on && page_ != nullptr && page_->isAncestorOf(focus);
   for (const char* name : {"lesson.leave", "lesson.report"}) parts_.actions.find(name)->setEnabled(on);
   parts_.actions.find("lesson.back")->setEnabled(on && run_->at() > 0);
   parts_.actions.find("lesson.next")->setEnabled(on && run_->at() + 1 < run_->lesson().steps.size());
@@ -190,6 +199,8 @@ void LessonsPanel::enableActions() {
   next_lesson->setEnabled(after != nullptr);
   next_lesson->setData(after != nullptr ? QString::fromStdString(after->title) : QString());  // for "Lesson complete"
   parts_.actions.find("lesson.hint")->setEnabled(page_ != nullptr && page_->hasHint());
+  // The button that had it is grey now: Qt would go on to any other.
+  if (had_focus && window()->focusWidget() != focus) page_->text().setFocus(Qt::OtherFocusReason);
 }
 
 /// Draws where the tip is to go, and leaves unsaid what a question asks for.

@@ -18,14 +18,11 @@ QString addressText(const stream::Address& address) {
   return QString(host.contains(':') ? "[%1]:%2" : "%1:%2").arg(host).arg(address.port);
 }
 
-LiveData::LiveData(const FeatureParts& parts)
-    : QObject(parts.window),
-      servo_(parts.servo),
-      actions_(parts.actions),
-      status_(parts.status),
-      recording_(parts.recording) {
-  addActions(parts.window);
-  connect(&parts.rate, &ServoRate::changed, this, [this](int, int rate_hz) {
+LiveData::LiveData(ServoFacts servo, const ServoRate& rate, const Recording& recording, StatusLine& status,
+                   Actions& actions, QWidget* window)
+    : QObject(window), servo_(servo), actions_(actions), status_(status), recording_(recording) {
+  addActions(window);
+  connect(&rate, &ServoRate::changed, this, [this](int, int rate_hz) {
     if (stream_) stream_->setRate(rate_hz);
   });
 }

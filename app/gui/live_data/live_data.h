@@ -16,7 +16,8 @@ namespace underact::gui {
 class LiveData : public QObject, public ServoListener {
   Q_OBJECT
  public:
-  explicit LiveData(const FeatureParts& parts);
+  LiveData(ServoFacts servo, const ServoRate& rate, const Recording& recording, StatusLine& status, Actions& actions,
+           QWidget* window);
   void add(const servo::TickRecord& record) override {
     if (stream_) stream_->send(record);
   }

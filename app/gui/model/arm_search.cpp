@@ -14,8 +14,8 @@ bool isSame(const device::Missing& one, const device::Missing& other) {
   return one.sentence == other.sentence && one.command == other.command;
 }
 
-ArmEntry nobody(const device::Row& row) {
-  return {row.key, ArmSearch::tr("%1: none is plugged in").arg(sentenceText(phrase(row.name))), {}, {}};
+ArmEntry nobody(const device::Driver& driver) {
+  return {driver.key, ArmSearch::tr("%1: none is plugged in").arg(sentenceText(phrase(driver.name))), {}, {}};
 }
 
 }  // namespace
@@ -27,12 +27,12 @@ bool operator==(const ArmEntry& one, const ArmEntry& other) {
 
 std::vector<ArmEntry> searchArms() {
   std::vector<ArmEntry> entries;
-  for (const device::Row& row : device::catalogue()) {
-    const std::vector<device::Found> found = row.search();
-    if (found.empty()) entries.push_back(nobody(row));
+  for (const device::Driver& driver : device::catalogue()) {
+    const std::vector<device::Found> found = driver.search();
+    if (found.empty()) entries.push_back(nobody(driver));
     for (const device::Found& one : found) {
       entries.push_back(
-          {row.key, sentenceText(one.title), QString::fromStdString(device::nameOf(row, one)), one.missing});
+          {driver.key, sentenceText(one.title), QString::fromStdString(device::nameOf(driver, one)), one.missing});
     }
   }
   return entries;

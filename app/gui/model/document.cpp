@@ -30,17 +30,18 @@ Document::Document(servo::Host& host, QObject* parent) : QObject(parent), host_(
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { emit modifiedChanged(modified()); });
 }
 
-Problems Document::open(scene::Description opened) {
+Problems Document::open(scene::Description opened, const std::optional<scene::Description>& tuned) {
   const bool mirrors = opensMirrored();
-  if (mirrors) opened = scene::mirrored(std::move(opened));
-  Problems problems = host_.load(opened);
+  const scene::Description& wanted = tuned ? *tuned : opened;
+  Problems problems = host_.load(mirrors ? scene::mirrored(wanted) : wanted);
   if (!problems.empty()) return problems;
   kept_.reset();
   is_mirrored_ = mirrors;
-  original_ = std::move(opened);
+  original_ = mirrors ? scene::mirrored(opened) : opened;
   path_ = QString::fromStdString(original_.file);
   is_open_ = true;
   undo_.clear();
+  if (tuned) pushEdit(std::move(opened), *tuned, tr("tuning of last time"), newGesture());
   if (path_.isEmpty()) undo_.resetClean();  // a scene that was never saved counts as unsaved
   emit this->opened();
   return {};

@@ -18,8 +18,9 @@ class Document : public QObject {
   explicit Document(servo::Host& host, QObject* parent = nullptr);
 
   /// Opens a scene as in its file, with its meshes loaded, replacing the current one. Its file: where it was read from;
-  /// none: it is new and was never saved. Problems: what is wrong with it; the old scene then stays in effect.
-  Problems open(scene::Description opened);
+  /// none: it is new and was never saved. tuned: as it is to be in effect, as one step that can be undone. Problems:
+  /// what is wrong with it; the old scene then stays in effect.
+  Problems open(scene::Description opened, const std::optional<scene::Description>& tuned = {});
   /// Saves the current scene, for the right hand; that becomes its file, and its values become the scene's own. Mesh
   /// paths are relative to it.
   Problems saveAs(const QString& path);
@@ -53,12 +54,15 @@ class Document : public QObject {
   bool isLeftHanded() const { return left_handed_; }
   /// Keeps scenes as in their files for a while, whichever the hand: lessons refer to left and right.
   void keepAsWritten(bool on);
+  bool keepsAsWritten() const { return keeps_as_written_; }
   /// Whether the scene in effect is the mirror image of its file's.
   bool isMirrored() const { return is_mirrored_; }
   /// Whether the next scene opened will be mirrored.
   bool opensMirrored() const { return left_handed_ && !keeps_as_written_ && !own_; }
   /// The scene as it would be saved.
   scene::Description asWritten() const { return throughMirror(scene()); }
+  /// The scene as in its file.
+  scene::Description originalAsWritten() const { return throughMirror(original_); }
   /// Converts between the scene as in a file and as in effect; the same in both directions.
   scene::Description throughMirror(scene::Description scene) const;
   scene::Constraint throughMirror(scene::Constraint constraint) const;

@@ -26,4 +26,9 @@ inline constexpr double kNearShoulder_m = 0.020;
 inline constexpr double kNearElbow_deg = 15.0;
 inline constexpr double kNearWrist_deg = 15.0;
 
+/// Force ellipsoid: of the Omni the forces for this torque; of any other arm for one that takes the same share of its
+/// force and reach, with 1, 2 or 5 as its only digit.
+inline constexpr double kOmniTorque_N_m = 0.05;
+double ellipsoidTorque_N_m(const arm::Preset& preset, const arm::Model& model);
+
 }  // namespace underact::gui

@@ -12,6 +12,7 @@ namespace {
 constexpr int kPollRoom_ms = 250;
 constexpr qint64 kMegabyte = 1'000'000;
 constexpr const char* kFolder = "recording/folder";
+constexpr const char* kUnfinished = "recording/unfinished";
 constexpr const char* kTags = "recording/tags";
 constexpr const char* kSubject = "recording/subject";
 constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; below this a recording ends in order
@@ -21,6 +22,7 @@ constexpr const char* kKeepFree = "recording/keep_free_MB";  // on the disk; bel
 Recording::Recording(servo::Host& host, QObject* parent) : QObject(parent), host_(host) {
   const QSettings stored;
   folder_ = stored.value(kFolder, defaultSessionFolder()).toString();
+  unfinished_ = stored.value(kUnfinished).toString();
   words_.tags = stored.value(kTags).toString().toStdString();
   words_.subject = stored.value(kSubject).toString().toStdString();
   if (stored.contains(kKeepFree))
@@ -59,6 +61,7 @@ void Recording::startAt(const QString& path) {
       status_ = {};
       marks_ = 0;
       poll_timer_.start();
+      QSettings().setValue(kUnfinished, path);
     } else {
       notice_ = tr("%1 Choose another folder for the recordings.").arg(sentencesOf(recorder.problems()));
     }
@@ -72,6 +75,7 @@ bool Recording::stop(record::EndReason reason) {
   Problems problems = recorder_->stop(reason);
   status_ = recorder_->status();
   recorder_.reset();
+  QSettings().remove(kUnfinished);
   if (words_ != written_) {
     Problems unwritten;
     for (const std::string& file : status_.files) {
@@ -118,6 +122,11 @@ void Recording::setWords(const record::SessionMetadata& words) {
     if (is_carried) words_.consent.clear();  // one person's consent is not the next one's
   }
   remember();
+}
+
+void Recording::forgetUnfinished() {
+  unfinished_.clear();
+  QSettings().remove(kUnfinished);
 }
 
 void Recording::setFolder(const QString& folder) {

@@ -43,6 +43,9 @@ class Recording : public QObject {
   /// subject are saved. Consent stays until the subject of the last recording changes, and is never saved in settings.
   const record::SessionMetadata& words() const { return words_; }
   void setWords(const record::SessionMetadata& words);
+  /// The recording that the program was killed in, the last time it ran; empty: it ended in order.
+  QString unfinished() const { return unfinished_; }
+  void forgetUnfinished();
   QString folder() const { return folder_; }
   void setFolder(const QString& folder);
 
@@ -64,6 +67,7 @@ class Recording : public QObject {
   record::RecorderStatus status_;
   record::SessionMetadata words_, written_;      // the current ones; those in the file
   std::optional<std::string> recorded_subject_;  // the subject whose consent is still in words_
+  QString unfinished_;
   QString folder_, path_, notice_;
   int marks_ = 0;
 };

@@ -6,7 +6,7 @@ namespace underact::gui {
 namespace {
 
 void makeProjector(const FeatureParts& parts, ServoListeners& listeners) {
-  listeners.push_back(new Projector(parts));
+  listeners.push_back(new Projector(parts.actions, parts.view, parts.theme, parts.window));
 }
 
 }  // namespace

@@ -13,20 +13,20 @@ namespace underact::gui {
 // The largest sizes at which the gauge does not reach into the scene in a window of 1280 x 800.
 constexpr double kType = 1.6, kGauge = 2.0, kTools = 1.3;
 
-Projector::Projector(const FeatureParts& parts)
-    : QObject(parts.window), window_(parts.window), view_(parts.view), theme_(parts.theme), chrome_(parts.window) {
-  parts.actions.add({"view.projector",
-                     tr("&Projector layout"),
-                     QKeySequence("Ctrl+Shift+J"),
-                     tr("For teaching: hides the panels and shows the view in high contrast with a large force gauge "
-                        "and large text."),
-                     {},
-                     {},
-                     true},
-                    [this](const QVariantList& on) {
-                      setOn(on.value(0).toBool());
-                      return true;
-                    });
+Projector::Projector(Actions& actions, SceneView& view, ThemeWatcher& theme, QMainWindow* window)
+    : QObject(window), window_(window), view_(view), theme_(theme), chrome_(window) {
+  actions.add({"view.projector",
+               tr("&Projector layout"),
+               QKeySequence("Ctrl+Shift+J"),
+               tr("For teaching: hides the panels and shows the view in high contrast with a large force gauge "
+                  "and large text."),
+               {},
+               {},
+               true},
+              [this](const QVariantList& on) {
+                setOn(on.value(0).toBool());
+                return true;
+              });
 }
 
 void Projector::remember(Settings& settings) {

@@ -17,7 +17,7 @@ class SceneView;
 class Projector : public QObject, public ServoListener {
   Q_OBJECT
  public:
-  explicit Projector(const FeatureParts& parts);
+  Projector(Actions& actions, SceneView& view, ThemeWatcher& theme, QMainWindow* window);
   void remember(Settings& settings) override;
   bool isOn() const { return chrome_.isOff(); }
   void setOn(bool on);

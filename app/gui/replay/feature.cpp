@@ -14,7 +14,7 @@ namespace {
 
 void makeReplay(const FeatureParts& parts, ServoListeners& listeners) {
   addReplayActions(parts.actions, parts.player, parts.files, parts.window);
-  connectReplayMessages(parts);
+  connectReplayMessages(parts.player, parts.status, parts.hand, parts.window);
   auto* bar = new ReplayBar(parts.player, parts.actions, parts.middle.parentWidget());
   parts.middle.addWidget(bar);
   listeners.push_back(bar);

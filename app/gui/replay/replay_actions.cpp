@@ -7,6 +7,7 @@
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/file_question.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/player.h"
 #include "app/gui/model/recorded_files.h"
@@ -115,6 +116,7 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
                 }
                 if (player.isOpen() && !files.settleEdits()) return false;  // edits made to the previous one
                 actions.perform("calibration.cancel");
+                closeProblems();
                 return player.open(path.first().toString());
               });
   actions.add({"replay.files", tr("Folder w&ith meshes and curves…"), QKeySequence("Ctrl+Alt+Shift+I"),

@@ -1,9 +1,7 @@
 #include "app/gui/replay/replay_messages.h"
 
 #include <QFileInfo>
-#include <QMainWindow>
 
-#include "app/gui/feature/parts.h"
 #include "app/gui/feature/status_line.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
@@ -19,11 +17,7 @@ void tellOfReplay(QWidget* window, const QString& what, const Problems& problems
 
 }  // namespace
 
-void connectReplayMessages(const FeatureParts& parts) {
-  Player& player = parts.player;
-  QWidget* const window = parts.window;
-  StatusLine& status = parts.status;
-  Hand& hand = parts.hand;
+void connectReplayMessages(Player& player, StatusLine& status, Hand& hand, QWidget* window) {
   QObject::connect(&player, &Player::opened, window, [&player, window, &status, &hand] {
     const device::Recorded& recorded = player.recorded();
     if (!recorded.damage.empty()) {

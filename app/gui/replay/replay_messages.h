@@ -1,10 +1,14 @@
 #pragma once
 
+class QWidget;
+
 namespace underact::gui {
 
-struct FeatureParts;
+class Hand;
+class Player;
+class StatusLine;
 
 /// Tells the window when a replay begins and ends, and the user what is wrong with a recording.
-void connectReplayMessages(const FeatureParts& parts);
+void connectReplayMessages(Player& player, StatusLine& status, Hand& hand, QWidget* window);
 
 }  // namespace underact::gui

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -113,7 +114,15 @@ ScenesPanel::ScenesPanel(const Parts& parts, QWidget* parent)
         filter_->selectAll();
         return true;
       });
-  connect(filter_, &QLineEdit::textChanged, this, &ScenesPanel::filter);
+  filter_->installEventFilter(this);
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter(text);
+    follows_ = false;  // what was looked for is seen, not what is open
+    if (QListWidgetItem* const hit = firstHit()) list_->scrollToItem(hit);
+  });
+  connect(filter_, &QLineEdit::returnPressed, this, [this] {
+    if (QListWidgetItem* const hit = firstHit()) openItem(hit);
+  });
   connect(list_, &QListWidget::itemClicked, this, &ScenesPanel::openItem);
   connect(list_, &QListWidget::itemActivated, this, &ScenesPanel::openItem);
   connect(list_, &QListWidget::currentItemChanged, this, &ScenesPanel::describe);
@@ -190,6 +199,24 @@ void ScenesPanel::filter(const QString& text) {
     item->setHidden(!fits);
     if (fits && heading != nullptr) heading->setHidden(false);  // headings without scenes stay hidden
   }
+}
+
+QListWidgetItem* ScenesPanel::firstHit() const {
+  for (int row = 0; row < list_->count(); ++row) {
+    if (!isHeading(*list_->item(row)) && !list_->item(row)->isHidden()) return list_->item(row);
+  }
+  return nullptr;
+}
+
+/// Down leads from the filter to the first hit.
+bool ScenesPanel::eventFilter(QObject* watched, QEvent* event) {
+  QListWidgetItem* const hit = firstHit();
+  const bool goes_down = watched == filter_ && event->type() == QEvent::KeyPress &&
+                         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down && hit != nullptr;
+  if (!goes_down) return Panel::eventFilter(watched, event);
+  list_->setCurrentItem(hit);
+  list_->setFocus(Qt::ShortcutFocusReason);
+  return true;
 }
 
 void ScenesPanel::openItem(QListWidgetItem* item) {

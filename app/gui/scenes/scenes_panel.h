@@ -30,6 +30,7 @@ class ScenesPanel : public Panel {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void rebuild();
@@ -37,6 +38,7 @@ class ScenesPanel : public Panel {
   void addHeading(const QString& text);
   void addScene(const SceneEntry& entry);
   QIcon iconOf(const QListWidgetItem& item) const;
+  QListWidgetItem* firstHit() const;
   void openItem(QListWidgetItem* item);
   void markOpen();
   void keepInSight();

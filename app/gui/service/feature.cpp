@@ -6,7 +6,7 @@ namespace underact::gui {
 namespace {
 
 void makeService(const FeatureParts& parts, ServoListeners& listeners) {
-  listeners.push_back(new LiveService(parts));
+  listeners.push_back(new LiveService(parts.actions, parts.steered, parts.window));
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ constexpr milliseconds kConnected{2};  // an answer is not kept waiting
 
 }  // namespace
 
-LiveService::LiveService(const FeatureParts& parts)
-    : QObject(parts.window), actions_(parts.actions), scene_(parts.steered) {
+LiveService::LiveService(Actions& actions, WindowScene& scene, QMainWindow* window)
+    : QObject(window), actions_(actions), scene_(scene) {
   addActions();
-  addButton(parts.window);
+  addButton(window);
   connect(&beat_, &QTimer::timeout, this, &LiveService::step);
 }
 

@@ -22,7 +22,7 @@ class WindowScene;
 class LiveService : public QObject, public ServoListener {
   Q_OBJECT
  public:
-  explicit LiveService(const FeatureParts& parts);
+  LiveService(Actions& actions, WindowScene& scene, QMainWindow* window);
   ~LiveService() override;
   void add(const servo::TickRecord& record) override;
   void present(const servo::Snapshot& snapshot) override;

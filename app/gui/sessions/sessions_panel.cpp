@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -23,6 +24,11 @@
 #include "app/gui/sessions/session_tools.h"
 
 namespace underact::gui {
+namespace {
+
+constexpr int kGrows_ms = 2000;  // a file that is being recorded has grown by then
+
+}  // namespace
 
 SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
     : Panel(parent), parts_(parts), recording_(&parts.recording) {
@@ -62,6 +68,21 @@ SessionsPanel::SessionsPanel(const Parts& parts, QWidget* parent)
   });
   record_->present();
   presentRecording();
+  tellUnfinished();
+}
+
+/// Says so once, if the program was killed while it recorded; another window may be recording it, so not at once.
+void SessionsPanel::tellUnfinished() {
+  QFileInfo left(recording_->unfinished());
+  if (recording_->unfinished().isEmpty() || !left.exists()) return;
+  QTimer::singleShot(kGrows_ms, this, [this, left, before = left.lastModified()]() mutable {
+    left.refresh();
+    if (!left.exists() || left.lastModified() != before || recording_->isRunning()) return;
+    recording_->forgetUnfinished();
+    parts_.actions.perform("notice.tell",
+                           tr("The recording %1 was cut off. Press Show to recover it.").arg(left.fileName()),
+                           left.absoluteFilePath());
+  });
 }
 
 void SessionsPanel::addRecordActions() {

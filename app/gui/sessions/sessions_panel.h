@@ -34,6 +34,7 @@ class SessionsPanel : public Panel {
   void addRecordActions();
   QAction* addFolderAction();
   void press(ButtonUse use);
+  void tellUnfinished();
   void presentRecording();
   void chooseFolder();
   bool setFolder(const QString& folder);

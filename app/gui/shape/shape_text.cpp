@@ -98,7 +98,7 @@ ShapeLines linesOf(const scene::Curve& curve) {
   ShapeLines lines{{QObject::tr("File"), QFileInfo(QString::fromStdString(curve.file)).fileName()}};
   if (curve.points != nullptr) lines.push_back({QObject::tr("Points"), QString::number(curve.points->size())});
   lines.push_back({QObject::tr("Interpolation"),
-                   curve.kind == curve::Kind::Spline ? QObject::tr("smooth") : QObject::tr("straight lines")});
+                   curve.kind == curve::CurveKind::Spline ? QObject::tr("smooth") : QObject::tr("straight lines")});
   lines.push_back({QObject::tr("Ends"), curve.closed ? QObject::tr("none, closed") : QObject::tr("two")});
   lines.push_back({QObject::tr("Placed at"), placeText(curve.X_WM.topRightCorner<3, 1>())});
   return lines;

@@ -107,7 +107,7 @@ Finishes armFinishes(const Theme& theme) {
   return {ink(0.58), ink(0.86), ink(0.5), theme.ink};
 }
 
-ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), Kind::Line)) {
+ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), PieceKind::Line)) {
   setArm(*arm::findModel(arm::kDefaultArm));
 }
 
@@ -132,7 +132,7 @@ void ArmPicture::setArm(const arm::Model& model) {
   X_WLinks_.assign(chain_.joints.size() + 1, Pose::Identity());
   actors_.clear();
   for (std::size_t link = 0; link <= chain_.joints.size(); ++link) {
-    actors_.push_back(makeActor(meshOfLink(arm_.solids, link, armFinishes(theme_)), Kind::Solid));
+    actors_.push_back(makeActor(meshOfLink(arm_.solids, link, armFinishes(theme_)), PieceKind::Solid));
     vtkProperty& property = *actors_.back()->GetProperty();
     property.SetAmbient(kArmAmbient);
     property.SetDiffuse(kArmDiffuse);
@@ -240,9 +240,19 @@ std::vector<Vec3> ArmPicture::extent_mm() const {
 }
 
 std::vector<ShadowRod> ArmPicture::shadowRods() const {
+  return rodsFrom(0);
+}
+
+std::vector<ShadowRod> ArmPicture::gimbalRods() const {
+  constexpr std::size_t kArm = 3;  // links that carry it
+  return rodsFrom(std::max(kArm + 1, chain_.joints.size() - std::min<std::size_t>(2, chain_.joints.size())));
+}
+
+std::vector<ShadowRod> ArmPicture::rodsFrom(std::size_t first_link) const {
   std::vector<ShadowRod> rods;
   if (!known_) return rods;
   for (const ArmSolid& solid : arm_.solids) {
+    if (solid.link < first_link) continue;
     const bool shown = solid.link + 1 < actors_.size() ? show_arm_ : show_stylus_;
     if (shown) std::visit([&](const auto& form) { addRods(rods, form, X_WLinks_[solid.link]); }, solid.form);
   }

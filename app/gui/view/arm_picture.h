@@ -49,11 +49,14 @@ class ArmPicture {
   /// The places of the joints, mm, and the foot: what a picture of the whole arm has to show.
   std::vector<Vec3> extent_mm() const;
   std::vector<ShadowRod> shadowRods() const;
+  /// Those of what a hand takes besides the stylus: its gimbal, the last three links of an arm of six joints.
+  std::vector<ShadowRod> gimbalRods() const;
   /// One actor for each link; others after setArm().
   std::vector<vtkActor*> solids() const;
   vtkActor* outline() const { return outline_actor_; }
 
  private:
+  std::vector<ShadowRod> rodsFrom(std::size_t first_link) const;
   void build();
   void place();
 

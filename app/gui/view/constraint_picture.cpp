@@ -86,9 +86,9 @@ Vec3 gridDirection(const Vec3& normal) {
 }  // namespace
 
 ConstraintPicture::ConstraintPicture()
-    : bold_actor_(makeActor(bold_.data(), Kind::Line)),
-      fine_actor_(makeActor(fine_.data(), Kind::Line)),
-      outline_actor_(makeActor(outlines_.data(), Kind::Line)) {}
+    : bold_actor_(makeActor(bold_.data(), PieceKind::Line)),
+      fine_actor_(makeActor(fine_.data(), PieceKind::Line)),
+      outline_actor_(makeActor(outlines_.data(), PieceKind::Line)) {}
 
 std::vector<vtkActor*> ConstraintPicture::lines() const {
   return {fine_actor_, bold_actor_, outline_actor_};
@@ -123,7 +123,7 @@ void ConstraintPicture::update(const Vec3& eye_mm) {
 }
 
 vtkActor& ConstraintPicture::addTint(vtkPolyData* data) {
-  tints_.push_back(makeActor(data, Kind::Tint));
+  tints_.push_back(makeActor(data, PieceKind::Tint));
   setColour(*tints_.back(), theme_.constraint);
   return *tints_.back();
 }

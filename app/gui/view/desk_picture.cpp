@@ -15,7 +15,7 @@ constexpr double kDeskRing_mm = 4.0, kCross_mm = 6.0, kDeskLabelAway_mm = 10.0;
 
 }  // namespace
 
-DeskPicture::DeskPicture() : actor_(makeActor(lines_.data(), Kind::Line)) {}
+DeskPicture::DeskPicture() : actor_(makeActor(lines_.data(), PieceKind::Line)) {}
 
 void DeskPicture::setTheme(const Theme& theme) {
   theme_ = theme;

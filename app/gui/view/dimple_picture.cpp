@@ -25,8 +25,8 @@ double depthAt(double share) {
 }  // namespace
 
 DimplePicture::DimplePicture()
-    : actor_(makeActor(faces_.data(), Kind::Line)),  // unlit, and without depth
-      ring_actor_(makeActor(rings_.data(), Kind::Line)) {}
+    : actor_(makeActor(faces_.data(), PieceKind::Line)),  // unlit, and without depth
+      ring_actor_(makeActor(rings_.data(), PieceKind::Line)) {}
 
 void DimplePicture::setScene(const scene::Description& scene) {
   is_surface_.clear();

@@ -20,7 +20,7 @@ constexpr int kSides = 4;  // of a stylus: the lines along it
 }  // namespace
 
 DrawingPicture::DrawingPicture()
-    : actor_(makeActor(lines_.data(), Kind::Mark)), lit_actor_(makeActor(lit_.data(), Kind::Mark)) {}
+    : actor_(makeActor(lines_.data(), PieceKind::Mark)), lit_actor_(makeActor(lit_.data(), PieceKind::Mark)) {}
 
 void DrawingPicture::setLineWidth(double scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));
@@ -133,12 +133,12 @@ void DrawingPicture::add(const DrawnStylus& stylus) {
 }
 
 void DrawingPicture::add(const DrawnMeasure& measure) {
-  if (!measure.p_W.allFinite() || !measure.way_W.allFinite() || !std::isfinite(measure.turn_rad)) return;
+  if (!measure.p_W.allFinite() || !measure.to_end_W.allFinite() || !std::isfinite(measure.turn_rad)) return;
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
   const QColor& colour = colours[static_cast<std::size_t>(measure.axis)];
   const Vec3 p_mm = kMillimetrePerMetre * measure.p_W;
   if (measure.turn_rad == 0.0) {
-    const Vec3 travel_mm = kMillimetrePerMetre * measure.way_W;
+    const Vec3 travel_mm = kMillimetrePerMetre * measure.to_end_W;
     lit_.segment(p_mm, p_mm + travel_mm, colour);
     labels_.push_back({measure.text, p_mm + 0.5 * travel_mm, colour, true});
     return;
@@ -147,7 +147,7 @@ void DrawingPicture::add(const DrawnMeasure& measure) {
   std::vector<Vec3> arc;
   for (int part = 0; part <= parts; ++part) {
     const Eigen::AngleAxisd turn(measure.turn_rad * part / parts, measure.axis_W);
-    arc.push_back(p_mm + kMillimetrePerMetre * (turn * measure.way_W));
+    arc.push_back(p_mm + kMillimetrePerMetre * (turn * measure.to_end_W));
   }
   lit_.chain(arc, colour, false);
   lines_.segment(p_mm, arc.front(), colour);

@@ -49,11 +49,11 @@ struct DrawnWords {
 /// A length or an angle, lit: thick, in the colour of an axis, with its name and value beside it.
 struct DrawnMeasure {
   QString text;
-  int axis = 0;                 // whose colour: 0 x, 1 y, 2 z
-  Vec3 p_W = Vec3::Zero();      // where it begins; the centre of an angle's arc
-  Vec3 way_W = Vec3::Zero();    // of a length: to its end; of an angle: its first leg
-  double turn_rad = 0.0;        // of an angle; 0: it is a length
-  Vec3 axis_W = Vec3::UnitZ();  // about which the angle turns
+  int axis = 0;                  // whose colour: 0 x, 1 y, 2 z
+  Vec3 p_W = Vec3::Zero();       // where it begins; the centre of an angle's arc
+  Vec3 to_end_W = Vec3::Zero();  // of a length: to its end; of an angle: its first leg
+  double turn_rad = 0.0;         // of an angle; 0: it is a length
+  Vec3 axis_W = Vec3::UnitZ();   // about which the angle turns
 };
 
 /// A place that the tip should reach: a ball of rings, with its name.

@@ -10,7 +10,7 @@
 #include "core/chain/kinematics.h"
 
 namespace underact::gui {
-GhostArm::GhostArm() : data_(vtkSmartPointer<vtkPolyData>::New()), actor_(makeActor(data_, Kind::Body)) {
+GhostArm::GhostArm() : data_(vtkSmartPointer<vtkPolyData>::New()), actor_(makeActor(data_, PieceKind::Body)) {
   actor_->SetVisibility(false);
   setOpacity(kOpacity);
 }

@@ -15,7 +15,7 @@ Hand::Hand(SceneView* view, device::SimulatedArm* arm, QObject* parent) : QObjec
   });
   connect(view_, &SceneView::handMoved, this, [this](const sim::HandSetpoint& setpoint) {
     moving_ = true;  // the keys move it without grabbing
-    arm_->setSetpoint(setpoint);
+    arm_->glideTo(setpoint);
   });
   connect(view_, &SceneView::handReleased, this, [this](bool by_mouse) {
     moving_ = false;
@@ -65,7 +65,8 @@ void Hand::take(const sim::HandSetpoint& setpoint) {
 void Hand::moveTo(const sim::HandSetpoint& setpoint) {
   if (!isThere()) return;
   moving_ = true;
-  take(setpoint);
+  arm_->glideTo(setpoint);
+  view_->setHandSetpoint(setpoint);
 }
 
 void Hand::standAt(const std::optional<arm::JointAngles>& q) {

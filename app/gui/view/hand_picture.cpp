@@ -37,13 +37,13 @@ vtkSmartPointer<vtkPolyData> headSurface() {
 }  // namespace
 
 HandPicture::HandPicture()
-    : shaft_(makeActor(unitTube(20, true), Kind::Solid)),
-      head_(makeActor(headSurface(), Kind::Solid)),
-      bar_(makeActor(unitTube(28, true), Kind::Solid)),
-      outline_actor_(makeActor(outlines_.data(), Kind::Line)),
-      error_actor_(makeActor(errors_.data(), Kind::Line)),
-      through_actor_(makeActor(through_.data(), Kind::Mark)),
-      mark_actor_(makeActor(mark_.data(), Kind::Mark)) {
+    : shaft_(makeActor(unitTube(20, true), PieceKind::Solid)),
+      head_(makeActor(headSurface(), PieceKind::Solid)),
+      bar_(makeActor(unitTube(28, true), PieceKind::Solid)),
+      outline_actor_(makeActor(outlines_.data(), PieceKind::Line)),
+      error_actor_(makeActor(errors_.data(), PieceKind::Line)),
+      through_actor_(makeActor(through_.data(), PieceKind::Mark)),
+      mark_actor_(makeActor(mark_.data(), PieceKind::Mark)) {
   for (vtkActor* actor : {shaft_.Get(), head_.Get(), bar_.Get()}) {
     actor->SetVisibility(false);
     showMeaning(*actor);
@@ -61,7 +61,7 @@ void HandPicture::setScene(const scene::Description& scene) {
   dimple_.setScene(scene);
   targets_.clear();
   for (std::size_t index = 0; index < count; ++index) {
-    targets_.push_back(makeActor(unitCube(), Kind::Solid));
+    targets_.push_back(makeActor(unitCube(), PieceKind::Solid));
     targets_.back()->SetVisibility(false);
     showMeaning(*targets_.back());
     setColour(*targets_.back(), theme_.target);

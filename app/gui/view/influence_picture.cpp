@@ -35,9 +35,9 @@ std::vector<Vec3> pointsOf(const target::Arc& arc, double from, double to) {
 }  // namespace
 
 InfluencePicture::InfluencePicture()
-    : thin_actor_(makeActor(thin_.data(), Kind::Line)),
-      bold_actor_(makeActor(bold_.data(), Kind::Line)),
-      ring_actor_(makeActor(rings_.data(), Kind::Mark)) {}
+    : thin_actor_(makeActor(thin_.data(), PieceKind::Line)),
+      bold_actor_(makeActor(bold_.data(), PieceKind::Line)),
+      ring_actor_(makeActor(rings_.data(), PieceKind::Mark)) {}
 
 void InfluencePicture::setLineWidth(double scale) {
   thin_actor_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * scale));

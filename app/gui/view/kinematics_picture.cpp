@@ -57,11 +57,11 @@ void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, double dash_mm,
 }
 
 KinematicsPicture::KinematicsPicture()
-    : thin_actor_(makeActor(thin_.data(), Kind::Line)),
-      frame_actor_(makeActor(frame_.data(), Kind::Mark)),
-      mark_actor_(makeActor(mark_.data(), Kind::Mark)),
-      motion_actor_(makeActor(unitSphere(40, 20), Kind::Tint)),
-      force_actor_(makeActor(unitSphere(40, 20), Kind::Tint)) {
+    : thin_actor_(makeActor(thin_.data(), PieceKind::Line)),
+      frame_actor_(makeActor(frame_.data(), PieceKind::Mark)),
+      mark_actor_(makeActor(mark_.data(), PieceKind::Mark)),
+      motion_actor_(makeActor(unitSphere(40, 20), PieceKind::Tint)),
+      force_actor_(makeActor(unitSphere(40, 20), PieceKind::Tint)) {
   for (vtkActor* actor : {motion_actor_.Get(), force_actor_.Get()}) {
     actor->SetVisibility(false);
     actor->GetProperty()->SetOpacity(kEllipsoidOpacity);
@@ -75,6 +75,7 @@ void KinematicsPicture::setTheme(const Theme& theme) {
 }
 
 void KinematicsPicture::setArm(const arm::Preset& preset, const arm::Model& model) {
+  torque_N_m_ = ellipsoidTorque_N_m(preset, model);
   geometry_ = preset.geometry;
   model_ = model;
   finder_ = SolutionFinder(model);
@@ -295,11 +296,12 @@ void KinematicsPicture::addEllipsoids() {
                  QStringLiteral("v"));
   }
   if (force_ && force_limit_N_ > 0.0) {
-    const double scale_mm = kTorque_N_m * HandPicture::kArrow_mm / force_limit_N_;
+    const double size = isOmni() ? 1.0 : others_.size();
+    const double scale_mm = torque_N_m_ * size * HandPicture::kArrow_mm / force_limit_N_;
     Vec3 half_mm;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const double gain_m = dexterity.gain_m[axis];
-      half_mm[axis] = gain_m * kLongest_mm > scale_mm ? scale_mm / gain_m : kLongest_mm;
+      half_mm[axis] = gain_m * size * kLongest_mm > scale_mm ? scale_mm / gain_m : size * kLongest_mm;
     }
     addEllipsoid(*force_actor_, dexterity, half_mm, theme_.force, QStringLiteral("f"));
   }

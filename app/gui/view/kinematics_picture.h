@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/kit/theme.h"
+#include "app/gui/model/kinematics_now.h"
 #include "app/gui/model/numbered_solutions.h"
 #include "app/gui/view/ghost_arm.h"
 #include "app/gui/view/orbit_camera.h"
@@ -30,8 +31,8 @@ void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, double dash_mm,
 /// translucent, too, as one surface, since each one costs frames on software GL.
 class KinematicsPicture {
  public:
-  static constexpr double kTurn_rad = 0.25;    // motion ellipsoid: displacement of the tip for this joint rotation
-  static constexpr double kTorque_N_m = 0.05;  // force ellipsoid: the forces for this torque, at the scale of the arrow
+  static constexpr double kTurn_rad = 0.25;  // motion ellipsoid: displacement of the tip for this joint rotation
+  static constexpr double kTorque_N_m = kOmniTorque_N_m;  // force ellipsoid, at the scale of the arrow
   // Of an arm of the Omni's size: a dash, the joints of the highlighted ghost, and a ghost's number from its elbow.
   static constexpr double kDash_mm = 5.0, kHollow_mm = 3.6, kNumber_mm = 16.0;
   static constexpr double kLongest_mm = 160.0;  // at a singularity the force ellipsoid is unbounded: cut here
@@ -88,7 +89,7 @@ class KinematicsPicture {
   arm::Geometry geometry_;
   arm::Model model_;
   SolutionFinder finder_;
-  double force_limit_N_ = 0.88;
+  double force_limit_N_ = 0.88, torque_N_m_ = kTorque_N_m;
   bool frames_ = false, ghosts_ = false, motion_ = false, force_ = false;
   int chosen_ = 0;
   double share_ = 1.0;

@@ -30,10 +30,10 @@ target::MeshPlace placeOf(const scene::Mesh& mesh) {
 }  // namespace
 
 MeshPicture::MeshPicture()
-    : patch_actor_(makeActor(patch_.data(), Kind::Tint)),
+    : patch_actor_(makeActor(patch_.data(), PieceKind::Tint)),
       section_(vtkSmartPointer<vtkPlane>::New()),
-      face_actor_(makeActor(cap_.face(), Kind::Solid)),
-      outline_actor_(makeActor(cap_.outline(), Kind::Line)) {
+      face_actor_(makeActor(cap_.face(), PieceKind::Solid)),
+      outline_actor_(makeActor(cap_.outline(), PieceKind::Line)) {
   patch_actor_->GetProperty()->LightingOff();
   patch_actor_->GetProperty()->SetOpacity(0.7);
   face_actor_->GetProperty()->LightingOff();
@@ -90,10 +90,10 @@ MeshPicture::Shown MeshPicture::makeShown(const std::shared_ptr<const mesh::Surf
   Shown shown;
   shown.place.surface = surface;
   shown.drawn = drawnMesh(surface);
-  shown.body = makeActor(shown.drawn->body, Kind::Body);
+  shown.body = makeActor(shown.drawn->body, PieceKind::Body);
   shown.body->GetProperty()->SetOpacity(kBody);
-  shown.edges = makeActor(shown.drawn->edges, Kind::Line);
-  shown.wires = makeActor(shown.drawn->body, Kind::Line);
+  shown.edges = makeActor(shown.drawn->edges, PieceKind::Line);
+  shown.wires = makeActor(shown.drawn->body, PieceKind::Line);
   shown.wires->GetProperty()->SetRepresentationToWireframe();
   shown.wires->GetProperty()->SetOpacity(0.5);
   shown.wires->SetVisibility(show_wires_);

@@ -7,7 +7,7 @@
 
 namespace underact::gui {
 
-PathPicture::PathPicture() : actor_(makeActor(lines_.data(), Kind::Line)) {}
+PathPicture::PathPicture() : actor_(makeActor(lines_.data(), PieceKind::Line)) {}
 
 void PathPicture::setTheme(const Theme& theme) {
   theme_ = theme;

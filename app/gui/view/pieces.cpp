@@ -133,17 +133,17 @@ vtkSmartPointer<vtkFloatArray> makeNormals() {
 
 }  // namespace
 
-vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
+vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, PieceKind kind) {
   auto actor = vtkSmartPointer<vtkActor>::New();
   vtkSmartPointer<vtkPolyDataMapper> mapper;
-  if (kind == Kind::Solid) {
+  if (kind == PieceKind::Solid) {
     mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  } else if (kind == Kind::Body) {
+  } else if (kind == PieceKind::Body) {
     mapper = vtkSmartPointer<BodyMapper>::New();
     mapper->ScalarVisibilityOff();
   } else {
     auto see_through = vtkSmartPointer<SeeThroughMapper>::New();
-    see_through->is_mark = kind == Kind::Mark;
+    see_through->is_mark = kind == PieceKind::Mark;
     mapper = see_through;
   }
   mapper->SetInputData(data);
@@ -157,15 +157,15 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind) {
   vtkProperty& property = *actor->GetProperty();
   property.SetInterpolationToGouraud();
   const bool has_normals = data->GetPointData()->GetNormals() != nullptr;
-  if (kind == Kind::Solid) {
+  if (kind == PieceKind::Solid) {
     if (has_normals) lightCorners(*actor, false);
     property.SetAmbient(0.55);
     property.SetDiffuse(0.5);
     property.BackfaceCullingOn();
-  } else if (kind == Kind::Body) {
+  } else if (kind == PieceKind::Body) {
     property.SetAmbient(0.45);
     property.SetDiffuse(0.65);
-  } else if (kind == Kind::Tint) {
+  } else if (kind == PieceKind::Tint) {
     if (has_normals) lightCorners(*actor, true);
     property.SetAmbient(0.7);
     property.SetDiffuse(0.35);

@@ -21,11 +21,11 @@ namespace underact::gui {
 /// tints, too, but hides what is drawn after it; of a surface of any form only the part nearest to the eye is drawn,
 /// from outside and from inside. Line: antialiased, and writes no depth, so that lines that meet leave no gaps. Mark: a
 /// line that nothing hides.
-enum class Kind { Solid, Tint, Body, Line, Mark };
+enum class PieceKind { Solid, Tint, Body, Line, Mark };
 
 /// An actor that draws data. Add solids first, then lines, then tints: translucent things are drawn over what is behind
 /// them.
-vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, Kind kind);
+vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, PieceKind kind);
 void setColour(vtkActor& actor, const QColor& colour);
 void place(vtkActor& actor, const Eigen::Matrix4d& X);
 /// X of a unit solid (radius 1, from 0 to 1 along z): from a to b, mm.

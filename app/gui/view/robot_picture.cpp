@@ -51,7 +51,7 @@ void addLink(Lines& lines, const Vec3& a_mm, double a_rim_mm, const Vec3& b_mm, 
 }  // namespace
 
 RobotPicture::RobotPicture()
-    : thin_actor_(makeActor(thin_.data(), Kind::Line)), thick_actor_(makeActor(thick_.data(), Kind::Line)) {}
+    : thin_actor_(makeActor(thin_.data(), PieceKind::Line)), thick_actor_(makeActor(thick_.data(), PieceKind::Line)) {}
 
 void RobotPicture::setLineWidth(double scale) {
   thin_actor_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));

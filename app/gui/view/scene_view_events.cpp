@@ -11,7 +11,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kGrab_px = 14.0, kGrabBody_px = 9.0;
+constexpr double kGrab_px = 28.0, kGrabBody_px = 20.0, kGrabGimbal_px = 6.0;  // beside tip, body and gimbal
 constexpr double kStep_m = 0.002, kBigStep_m = 0.010, kWheelDepth_m = 0.005, kTurn_rad = 5.0 * kRadPerDegree;
 constexpr double kOrbit_px = 24.0;  // of a drag, equivalent to one arrow key
 
@@ -57,7 +57,14 @@ bool SceneView::Impl::overStylus(const QPointF& pointer) const {
   const auto [tip_W, end_W] = hand.arm().stylus_W();
   const QPointF tip = view->screenOf(tip_W), end = view->screenOf(end_W);
   const QPointF off = pointer - tip;
-  return std::hypot(off.x(), off.y()) <= kGrab_px || distanceToSegment(pointer, tip, end) <= kGrabBody_px;
+  if (std::hypot(off.x(), off.y()) <= kGrab_px || distanceToSegment(pointer, tip, end) <= kGrabBody_px) return true;
+  const double px_per_m =
+      kMillimetrePerMetre / pixelLength_mm(size(), project(camera, size(), kMillimetrePerMetre * tip_W).depth_mm);
+  const std::vector<ShadowRod> gimbal = hand.arm().gimbalRods();
+  return std::any_of(gimbal.begin(), gimbal.end(), [&](const ShadowRod& rod) {
+    return distanceToSegment(pointer, view->screenOf(rod.from_W), view->screenOf(rod.to_W)) <=
+           std::max(rod.from_radius_m, rod.to_radius_m) * px_per_m + kGrabGimbal_px;
+  });
 }
 
 std::optional<Vec3> SceneView::Impl::gizmoAt(const QPointF& pointer) const {

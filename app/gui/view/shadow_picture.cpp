@@ -103,7 +103,7 @@ ShadowPicture::ShadowPicture()
   data_->SetPoints(points_);
   data_->SetPolys(cells_);
   data_->GetPointData()->SetScalars(colours_);
-  actor_ = makeActor(data_, Kind::Line);  // unlit, and without depth
+  actor_ = makeActor(data_, PieceKind::Line);  // unlit, and without depth
   actor_->SetVisibility(false);
 }
 

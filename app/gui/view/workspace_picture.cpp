@@ -26,8 +26,8 @@ const Vec3& workspaceHalf_mm() {
 }
 
 WorkspacePicture::WorkspacePicture()
-    : box_actor_(makeActor(box_.data(), Kind::Line)),
-      triad_actor_(makeActor(triad_.data(), Kind::Mark)) {}  // B is inside the arm
+    : box_actor_(makeActor(box_.data(), PieceKind::Line)),
+      triad_actor_(makeActor(triad_.data(), PieceKind::Mark)) {}  // B is inside the arm
 
 void WorkspacePicture::setTheme(const Theme& theme) {
   theme_ = theme;

@@ -8,7 +8,7 @@ namespace {
 
 void makeWelcome(const FeatureParts& parts, ServoListeners& listeners) {
   listeners.push_back(new Welcome(parts));
-  listeners.push_back(new Tour(parts));
+  listeners.push_back(new Tour(parts.view, parts.actions, parts.window));
 }
 
 }  // namespace

@@ -70,12 +70,8 @@ int Tour::stops() {
   return static_cast<int>(kStops.size());
 }
 
-Tour::Tour(const FeatureParts& parts)
-    : QFrame(parts.window),
-      window_(parts.window),
-      view_(parts.view),
-      actions_(parts.actions),
-      spotlight_(new Spotlight("tour.frame", parts.window)) {
+Tour::Tour(SceneView& view, Actions& actions, QMainWindow* window)
+    : QFrame(window), window_(window), view_(view), actions_(actions), spotlight_(new Spotlight("tour.frame", window)) {
   connect(&actions_, &Actions::locked, this, &Tour::end);
   setObjectName("tour");
   setAccessibleName(tr("Tour of the window"));

@@ -19,7 +19,7 @@ class Spotlight;
 class Tour : public QFrame, public ServoListener, public LeftByEsc {
   Q_OBJECT
  public:
-  explicit Tour(const FeatureParts& parts);
+  Tour(SceneView& view, Actions& actions, QMainWindow* window);
   void present(const servo::Snapshot&) override { follow(); }  // the target may move
   void end();
   void setTheme(const Theme& theme) override;

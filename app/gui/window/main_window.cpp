@@ -27,6 +27,11 @@
 #include "app/gui/window/window_watch.h"
 
 namespace underact::gui {
+namespace {
+
+constexpr int kNarrow_px = 900;
+
+}  // namespace
 
 /// Also for a window that was never closed: features end while everything they restore still exists.
 MainWindow::~MainWindow() {
@@ -121,6 +126,8 @@ bool MainWindow::event(QEvent* event) {
       bar->setElideMode(Qt::ElideNone);  // scroll many tabs rather than shorten them to "S…"
     }
   }
+  // In the smallest window the view gives up what its panels need to be seen whole.
+  if (event->type() == QEvent::Resize) services_.view->setMinimumWidth(width() < kNarrow_px ? 300 : 320);
   if (event->type() == QEvent::WindowStateChange || event->type() == QEvent::Hide) {
     pacer_->setSeen(isVisible() && !isMinimized());
   }
@@ -140,9 +147,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   for (ServoListener* listener : listeners_) listener->leave();
   if (!services_.files->settleEdits()) return event->ignore();
+  const bool shows_another = services_.document->showsRecorded();
   for (ServoListener* listener : listeners_) listener->finish();
   services_.player->close();
-  if (!services_.files->settleEdits()) return event->ignore();  // edits from before the replay
+  if (shows_another && !services_.files->settleEdits()) return event->ignore();  // edits from before the replay
   given_.host.stop();
   services_.second->setOn(false);
   remember();
@@ -156,6 +164,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   if (services_.actions->isLocked()) return;
+  services_.status->setTip({});  // the pointer came without leaving what it was over
   event->acceptProposedAction();
   services_.actions->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
 }

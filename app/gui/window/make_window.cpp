@@ -24,6 +24,7 @@
 #include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_actions.h"
 #include "app/gui/window/window_watch.h"
+#include "app/gui/window/yield_letters.h"
 
 namespace underact::gui {
 
@@ -81,6 +82,7 @@ void MainWindow::buildFeatures() {
   buildMenus(this, actions(), parts.recent);
   buildToolBar(this, actions());
   buildRail(this, actions());
+  yieldLetters(*this);
   // From left to right and top to bottom: tool bar, rail, the first panel, the view and its strips, then the other
   // panels.
   const std::vector<Panel*>& panels = docks_->panels();

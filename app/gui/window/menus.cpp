@@ -180,8 +180,9 @@ void buildToolBar(QMainWindow* window, Actions& actions) {
   button("dock.lessons", "");
   button("help.guide", "");
   // The axes in the corner of the view look from the sides, too.
-  new NarrowBar(bar, {"button.view.side", "button.view.top", "button.view.front", "button.view.fit",
-                      "button.menu.layers", "button.hand.keep", "button.help.guide"});
+  new NarrowBar(bar,
+                {"button.view.side", "button.view.top", "button.view.front", "button.view.fit", "button.menu.layers",
+                 "button.hand.keep", "button.help.guide", "button.dock.lessons", "button.session.record"});
 }
 
 }  // namespace underact::gui

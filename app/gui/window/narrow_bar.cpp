@@ -9,10 +9,15 @@
 
 namespace underact::gui {
 
-constexpr int kMargins_px = 16;  // beside the words of a button in a bar along a side
+constexpr const char* kWords = "widthWithWords";  // that a button keeps, whatever its words are now
+constexpr int kMargins_px = 16;                   // beside the words of a button in a bar along a side
 
 NarrowBar::NarrowBar(QToolBar* bar, QStringList buttons) : QObject(bar), bar_(bar), buttons_(std::move(buttons)) {
   bar_->installEventFilter(this);
+  for (const QString& name : buttons_) {
+    auto* const button = bar_->findChild<QToolButton*>(name);
+    if (button != nullptr) button->setProperty(kWords, button->minimumWidth());
+  }
 }
 
 NarrowBar::NarrowBar(QToolBar* bar, int words_from_px) : QObject(bar), bar_(bar), words_from_px_(words_from_px) {
@@ -53,16 +58,18 @@ void NarrowBar::fitAlong() {
   for (const QString& name : buttons_) {
     auto* const button = bar_->findChild<QToolButton*>(name);
     if (button == nullptr) continue;
-    const QSize now = button->sizeHint();
+    const int now = std::max(button->sizeHint().width(), button->minimumWidth());
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    wanted += button->sizeHint().width() - now.width();  // with its words
+    button->setMinimumWidth(button->property(kWords).toInt());
+    wanted += std::max(button->sizeHint().width(), button->minimumWidth()) - now;  // with its words
   }
   for (const QString& name : buttons_) {
     if (wanted <= room) return;
     auto* const button = bar_->findChild<QToolButton*>(name);
     if (button == nullptr) continue;
-    const int before = button->sizeHint().width();
+    const int before = std::max(button->sizeHint().width(), button->minimumWidth());
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setMinimumWidth(0);
     wanted -= before - button->sizeHint().width();
   }
 }

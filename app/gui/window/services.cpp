@@ -102,6 +102,7 @@ void Services::connectThem(const WindowParts& given) {
   QObject::connect(document, &Document::edited, window, integrate);
   QObject::connect(document, &Document::opened, window, [this] {
     view->setScene(document->scene());
+    actions->perform("layer.ghosts", false);  // they belong to the scene that was looked at
     view_memory->enter(document->showsRecorded() ? QString() : document->path());
     presentForceLimit();
   });
@@ -160,6 +161,7 @@ FeatureParts Services::parts(const WindowParts& given, const Settings& settings,
 void Services::remember(Settings& settings) const {
   view_memory->keep();
   settings.layers = view->layers();
+  settings.layers.ghosts = false;
   settings.keeps_holding = hand->keepsHolding();
   settings.recent = recent->paths();
   settings.left_handed = document->isLeftHanded();

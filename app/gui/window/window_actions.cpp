@@ -41,6 +41,10 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
   QObject::connect(&files, &SceneFiles::saved, &actions, [&actions](const QString& path) {
     actions.perform("notice.tell", tr("Scene saved as %1.").arg(QFileInfo(path).fileName()), path);
   });
+  QObject::connect(&files, &SceneFiles::tunedAgain, &actions, [&actions] {
+    actions.perform("notice.tell", tr("Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came."),
+                    QString());
+  });
   actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
               [&actions, &files, rows](const QVariantList& path) {
                 if (path.isEmpty()) {
@@ -109,8 +113,9 @@ void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& 
       [](const QVariantList&) { return true; });
   parts.actions.add(
       {"layout.reset", tr("&Reset"), QKeySequence("Ctrl+Alt+0"), tr("Restores the default layout of the panels.")},
-      [arrange](const QVariantList&) {
+      [arrange, &actions = parts.actions](const QVariantList&) {
         arrange();
+        actions.perform("layer.ghosts", false);
         return true;
       });
 }

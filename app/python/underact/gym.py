@@ -67,8 +67,8 @@ class ConstraintEnv(gymnasium.Env[Observation, Observation]):
         self._done = 0
 
     def _observed(self, state: State) -> Observation:
-        way_mm = np.nan_to_num(state.target_mm - state.p_mm, nan=0.0)
-        seen = np.concatenate([state.p_mm, state.v_mm_per_s, way_mm, state.force_N])
+        error_mm = np.nan_to_num(state.target_mm - state.p_mm, nan=0.0)
+        seen = np.concatenate([state.p_mm, state.v_mm_per_s, error_mm, state.force_N])
         return np.clip(seen, -1e6, 1e6)
 
     def reset(

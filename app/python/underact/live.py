@@ -46,7 +46,9 @@ class Refused(LiveError):
     """The service refuses a request. `problems`: (path, sentence) of each."""
 
     def __init__(self, problems: list[tuple[str, str]]):
-        super().__init__(" ".join(f"{path}: {said}" if path else said for path, said in problems))
+        super().__init__(
+            " ".join(f"{path}: {sentence}" if path else sentence for path, sentence in problems)
+        )
         self.problems = problems
 
 

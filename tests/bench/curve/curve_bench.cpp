@@ -122,7 +122,7 @@ void measureCurve(const std::string& name, const Curve& curve, double& kept) {
 }
 
 /// The worst there is: everything is equally near, to the rounding.
-void measureCentre(Kind kind, double& kept) {
+void measureCentre(CurveKind kind, double& kept) {
   std::vector<Vec3> points_W;
   for (int i = 0; i < 100'000; ++i) {
     const double a_rad = 2e-5 * kPi * i;
@@ -132,7 +132,7 @@ void measureCentre(Kind kind, double& kept) {
   const auto search = [&](const Vec3& p_WT, SearchState& state, GuidanceState&) {
     return nearestPoint(*curve, Search::Hybrid, p_WT, state);
   };
-  measure(kind == Kind::Spline ? "centre of a spline 100000" : "centre of a polyline 100000",
+  measure(kind == CurveKind::Spline ? "centre of a spline 100000" : "centre of a polyline 100000",
           std::vector<Vec3>(200, Vec3::Zero()), search, kept);
 }
 
@@ -144,13 +144,13 @@ void all() {
   double kept = 0.0;
   std::printf("%-44s %8s %8s %8s %8s %8s\n", "ns a tick", "median", "p99", "most", "visits", "most");
   for (const Size& size : {Size{100, 4e-3}, {10'000, 1e-3}, {1'000'000, 2e-4}}) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       const std::shared_ptr<const Curve> curve = makeCurve(scribble(size.count, size.step_m), kind, false).value();
-      const std::string name = kind == Kind::Polyline ? "polyline" : "spline";
+      const std::string name = kind == CurveKind::Polyline ? "polyline" : "spline";
       measureCurve(name + " " + std::to_string(pieceCount(*curve)), *curve, kept);
     }
   }
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) measureCentre(kind, kept);
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) measureCentre(kind, kept);
   if (kept == 0.0) std::printf("\n");
 }
 

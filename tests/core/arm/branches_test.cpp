@@ -49,7 +49,7 @@ std::vector<Expected> expectedOf(const test::Value& one) {
   for (const test::Value& solution : one.find("solutions")->items) {
     Expected expected{test::anglesOf(*solution.find("q")), false, "", 0.0};
     const test::Value* const family = solution.find("family");
-    expected.family = family->kind != json::Kind::Null;
+    expected.family = family->kind != json::JsonKind::Null;
     if (const test::Value* const invariant = family->find("wrist_invariant")) {
       expected.invariant = invariant->find("expr")->text;
       expected.value_rad = invariant->find("value")->number;

@@ -84,7 +84,7 @@ TEST(Forward, ForearmAndWorkspaceAreTheFramesOfTheTable) {
   EXPECT_LE((tipPose(thesis().geometry, q_rad).linear() - R_W3).cwiseAbs().maxCoeff(), kRotation);
 }
 
-TEST(Forward, WhatIsNoNumberStaysNone) {
+TEST(Forward, IsNotFiniteForANaN) {
   EXPECT_FALSE(tipPosition(thesis().geometry, {kNotANumber, 0, 0, 0, 0, 0}).allFinite());
   EXPECT_FALSE(tipPosition(thesis().geometry, {0, kInfinity, 0, 0, 0, 0}).allFinite());
 }

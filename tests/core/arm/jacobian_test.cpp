@@ -43,7 +43,7 @@ TEST(Jacobian, MeetsTheGoldenFile) {
       ASSERT_NEAR(1e3 * at.gain_m[axis], wanted, 1e-11 + 1e-12 * wanted) << "line " << one.line;
     }
     const test::Value* const condition = one.find("cond_Jp");
-    if (condition->kind == json::Kind::Number) {
+    if (condition->kind == json::JsonKind::Number) {
       ASSERT_NEAR(at.condition / condition->number, 1.0, 1e-12 * condition->number) << "line " << one.line;
     }
   }

@@ -198,7 +198,7 @@ TEST(Mechanism, AtASingularityTheWrenchThatNoMotorMakesIsTakenOff) {
   EXPECT_LT((P - (Mat6::Identity() - lost * lost.transpose())).norm(), 1e-10);
 }
 
-TEST(Mechanism, WhatASceneCannotHaveIsSaidWithTheReason) {
+TEST(Mechanism, NamesWhatASceneCannotHaveWithTheReason) {
   Model model = *findModel("planar-3");
   model.joints[1].sensed = false;
   EXPECT_NE(presetOf(model).problems()[0].sentence.find("Joint 2 is not sensed"), std::string::npos);

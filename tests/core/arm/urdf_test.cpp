@@ -262,7 +262,7 @@ TEST(Urdf, AQuaternionTurnsALinkAsRollPitchAndYawDo) {
   EXPECT_EQ(toldOf(with("xyz=\"0 0 0\" my:note=\"x\""), {}), "");
 }
 
-TEST(Urdf, WhatItDoesNotKnowAndMayMoveALinkIsRefusedWithItsLine) {
+TEST(Urdf, RefusesUnknownElementsThatMayMoveALinkWithTheirLine) {
   const auto versioned = [](const std::string& version) {
     return "<robot name=\"r\" version=\"" + version +
            "\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" "

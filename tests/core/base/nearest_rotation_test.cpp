@@ -46,7 +46,7 @@ TEST(NearestRotation, SaysHowFarOffAMatrixIs) {
       "least four decimals, better six.");
 }
 
-TEST(NearestRotation, OfAMirrorOrNoMatrixIsNone) {
+TEST(NearestRotation, RefusesAMirrorAndWhatIsNoMatrix) {
   for (const Mat3& R : {Mat3(-Mat3::Identity()), Mat3(Mat3::Zero()), Mat3(Mat3::Constant(kNotANumber)),
                         Mat3(1e300 * Mat3::Identity()), Mat3(Vec3(1, 1, -1).asDiagonal())}) {
     EXPECT_EQ(offRotation(R), kInfinity);

@@ -15,7 +15,7 @@ TEST(Printed, ControlCharactersAreShownAndEverythingElseStays) {
   EXPECT_EQ(printed("Küche € 🙂 \u00A0\u2013"), "Küche € 🙂 \u00A0\u2013");
 }
 
-TEST(Printed, WhatIsNotUtf8IsReplacedByteForByte) {
+TEST(Printed, ReplacesInvalidUtf8ByteForByte) {
   EXPECT_EQ(printed("a\x9B!"), "a\uFFFD!") << "a bare byte of C1";
   EXPECT_EQ(printed("\xE2\x80"), "\uFFFD\uFFFD");
   EXPECT_EQ(printed("\xC0\x9B"), "\uFFFD\uFFFD") << "overlong";

@@ -54,7 +54,7 @@ TEST(TrigRange, AnyFiniteAngleHasASine) {
   EXPECT_NEAR(sinCos(1e22).sin, -0.8522008497671888, 2e-16);  // Ng 1992, the classic check of the reduction
 }
 
-TEST(TrigRange, WhatIsNotFiniteIsNotANumber) {
+TEST(TrigRange, GivesNaNForWhatIsNotFinite) {
   for (const double angle_rad : {kInfinity, -kInfinity, kNotANumber}) {
     EXPECT_TRUE(std::isnan(sinCos(angle_rad).sin));
     EXPECT_TRUE(std::isnan(sinCos(angle_rad).cos));

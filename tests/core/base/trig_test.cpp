@@ -52,7 +52,7 @@ TEST(Trig, HasTheBitsItHadWhenSessionsWereFirstRecorded) {  // a replay must giv
   EXPECT_EQ(sum, 9045471224921320797U);
 }
 
-TEST(Trig, WhatIsNoNumberGivesNoNumberAndTheQuarterTurnsAreExact) {
+TEST(Trig, GivesNaNForNaNAndExactQuarterTurns) {
   EXPECT_TRUE(std::isnan(sinCos(kNotANumber).sin));
   EXPECT_TRUE(std::isnan(sinCosOfTwo(kInfinity, 0.0).first.cos));
   EXPECT_EQ(sinCos(0.0).sin, 0.0);

@@ -178,6 +178,32 @@ TEST(InverseOf, APositionWhereAxesMeetOrAreParallel) {
   }
 }
 
+TEST(InverseOf, AnArmOfThreeJointsFindsThePoseThatItIsInWhereTheElbowIsStraightOrFolded) {
+  Random random({103});
+  for (const double upper_m : {0.12, 0.13, 0.2}) {
+    for (const double aside_m : {0.0, 0.01}) {
+      Chain chain;
+      chain.joints = {turn(Vec3::UnitZ(), Vec3::Zero()), turn(Vec3::UnitY(), Vec3(2.0 * aside_m, 0.0, 0.1)),
+                      turn(Vec3::UnitY(), Vec3(2.0 * aside_m, aside_m, 0.1 + upper_m))};
+      chain.X_WT_home.translation() = Vec3(2.0 * aside_m, 0.5 * aside_m, 0.23 + upper_m);
+      const Inverse inverse = inverseOf(chain);
+      ASSERT_EQ(inverse.asks, Asks::Position);
+      for (int pose = 0; pose < 500; ++pose) {
+        std::vector<double> q = test::anyValues(random, chain);
+        q[2] = pose % 2 == 0 ? 0.0 : kPi;
+        if (pose % 5 == 0) q[1] = 0.0;
+        const Vec3 p_WT = forward(chain, q).translation();
+        Pose X_WT = Pose::Identity();
+        X_WT.translation() = p_WT;
+        const InverseSolutions found = solveAll(inverse, X_WT);
+        ASSERT_GT(found.count, 0U) << pose << ", upper " << upper_m << ", aside " << aside_m;
+        for (std::size_t i = 0; i < found.count; ++i)
+          ASSERT_LE((forward(chain, std::span(found.all[i].q).first(3)).translation() - p_WT).norm(), 1e-9);
+      }
+    }
+  }
+}
+
 TEST(InverseOf, AWristAfterThreeJointsOfAnyKindsInEitherDirection) {
   Random random({105});
   for (int arm = 0; arm < test::property::sweep(64, 2000) && !HasFailure(); ++arm) {

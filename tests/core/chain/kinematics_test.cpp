@@ -16,7 +16,7 @@ Pose byTable(const test::Arm& arm, std::span<const double> q) {
   return X_WFrames.back() * arm.X_NT;
 }
 
-TEST(ChainForward, OfATurnAndASlideIsWhatOneSees) {  // by hand
+TEST(ChainForward, MatchesATurnAndASlideWorkedByHand) {  // by hand
   Joint turn{JointType::Revolute, Vec3::UnitZ(), Vec3(1, 0, 0)};
   Joint slide{JointType::Prismatic, Vec3::UnitX(), Vec3(0, 0, 0)};
   const Chain chain{{turn, slide}, test::poseOf(Mat3::Identity(), Vec3(3, 0, 0))};
@@ -115,7 +115,7 @@ TEST(ChainKinematics, TakesWhatValuesThereAre) {
   EXPECT_EQ(forward(chain, {}).matrix(), forward(chain, std::array<double, 6>{}).matrix());
 }
 
-TEST(ChainKinematics, WhatIsNoNumberStaysNone) {
+TEST(ChainKinematics, IsNotFiniteForANaN) {
   const Chain chain = test::puma().chain();
   for (const double bad : {kNotANumber, kInfinity}) {
     EXPECT_FALSE(forward(chain, std::array<double, 6>{0, bad}).matrix().allFinite());

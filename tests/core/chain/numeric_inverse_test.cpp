@@ -264,7 +264,7 @@ TEST(NumericInverse, IsTheSameEveryTime) {
   EXPECT_EQ(one.steps, two.steps);
 }
 
-TEST(NumericInverse, WhatIsNoNumberIsNotReached) {
+TEST(NumericInverse, DoesNotReachAPoseWithNaNs) {
   const Chain chain = test::puma().chain();
   Pose X_WT = chain.X_WT_home;
   X_WT.translation().x() = kNotANumber;

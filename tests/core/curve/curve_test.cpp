@@ -12,7 +12,7 @@ using test::Random;
 using test::Seed;
 
 std::string sentenceOf(std::vector<Vec3> points_W, bool closed = false) {
-  const auto curve = makeCurve(std::move(points_W), Kind::Polyline, closed, {"scene.json", 7, 0, "file"});
+  const auto curve = makeCurve(std::move(points_W), CurveKind::Polyline, closed, {"scene.json", 7, 0, "file"});
   if (curve) return "";
   EXPECT_EQ(curve.problems()[0].place.line, 7);
   return curve.problems()[0].sentence;
@@ -32,7 +32,7 @@ long double lengthOfPiece(const Oracle& oracle, int i, int chords) {
   return (4.0L * lengthByChords(oracle, i, 2 * chords) - lengthByChords(oracle, i, chords)) / 3.0L;
 }
 
-TEST(Curve, OfTooFewPointsOrImpossibleOnesIsRefused) {
+TEST(Curve, RefusesTooFewOrInvalidPoints) {
   EXPECT_EQ(sentenceOf({}), "A curve needs at least 2 different points.");
   EXPECT_EQ(sentenceOf({{1, 2, 3}}), "A curve needs at least 2 different points.");
   EXPECT_EQ(sentenceOf({{1, 2, 3}, {1, 2, 3 + 1e-14}}), "A curve needs at least 2 different points.");
@@ -45,22 +45,22 @@ TEST(Curve, OfTooFewPointsOrImpossibleOnesIsRefused) {
 
 TEST(Curve, LeavesRepeatedPointsOut) {
   const std::vector<Vec3> repeated{{0, 0, 0}, {0, 0, 0}, {3, 0, 0}, {3, 0, 1e-13}, {3, 4, 0}, {0, 0, 0}, {0, 0, 0}};
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     const auto open = curveOf(repeated, kind, false), closed = curveOf(repeated, kind, true);
     EXPECT_EQ(open->controls_W.front(), Vec3(0, 0, 0));
     EXPECT_EQ(open->controls_W.back(), Vec3(0, 0, 0));
     EXPECT_EQ(closed->controls_W.front(), closed->controls_W.back());
   }
-  EXPECT_EQ(pieceCount(*curveOf(repeated, Kind::Polyline, false)), 3);
-  EXPECT_EQ(pieceCount(*curveOf(repeated, Kind::Polyline, true)), 3);
-  EXPECT_EQ(lengthOf(*curveOf(repeated, Kind::Polyline, true)), 12.0);
+  EXPECT_EQ(pieceCount(*curveOf(repeated, CurveKind::Polyline, false)), 3);
+  EXPECT_EQ(pieceCount(*curveOf(repeated, CurveKind::Polyline, true)), 3);
+  EXPECT_EQ(lengthOf(*curveOf(repeated, CurveKind::Polyline, true)), 12.0);
 }
 
 TEST(Curve, ASplineOfPointsOnALineIsTheLine) {
-  const auto curve = curveOf({{0, 0, 0}, {0.01, 0, 0}, {0.015, 0, 0}, {0.06, 0, 0}}, Kind::Spline);
+  const auto curve = curveOf({{0, 0, 0}, {0.01, 0, 0}, {0.015, 0, 0}, {0.06, 0, 0}}, CurveKind::Spline);
   EXPECT_NEAR(lengthOf(*curve), 0.06, 1e-17);
   for (double s_m = 0.0; s_m <= 0.06; s_m += 0.001) EXPECT_LT((pointAt(*curve, s_m) - Vec3(s_m, 0, 0)).norm(), 1e-16);
-  const auto two = curveOf({{0, 0, 0}, {0, 0.02, 0}}, Kind::Spline);
+  const auto two = curveOf({{0, 0, 0}, {0, 0.02, 0}}, CurveKind::Spline);
   EXPECT_LT((pointAt(*two, 0.013) - Vec3(0, 0.013, 0)).norm(), 1e-16);
 }
 
@@ -84,8 +84,8 @@ TEST(Curve, ASplineIsTheOneOfBarryAndGoldman) {
   for (int draw = 0; draw < test::sweep(40, 1000); ++draw) {
     const bool closed = draw % 2 == 1;
     const std::vector<Vec3> points_W = randomPath(random, 12, 0.01);
-    const Oracle oracle(points_W, Kind::Spline, closed);
-    const auto curve = curveOf(points_W, Kind::Spline, closed);
+    const Oracle oracle(points_W, CurveKind::Spline, closed);
+    const auto curve = curveOf(points_W, CurveKind::Spline, closed);
     // Pieces are halves of halves of the oracle's, so each has a whole number of 2^-kMaxHalvings of it.
     std::int32_t piece = 0;
     for (int i = 0; i < oracle.pieces(); ++i) {
@@ -110,7 +110,7 @@ TEST(Curve, ATangentOfASplineNeverJumps) {
   Random random(Seed{20070602});
   for (int draw = 0; draw < test::sweep(100, 2000); ++draw) {
     const bool closed = draw % 2 == 1;
-    const auto curve = curveOf(randomPath(random, 12, 0.01), Kind::Spline, closed);
+    const auto curve = curveOf(randomPath(random, 12, 0.01), CurveKind::Spline, closed);
     for (std::int32_t piece = 0; piece + 1 < pieceCount(*curve); ++piece) {
       const double jump = (tangentOn(*curve, piece, 1.0) - tangentOn(*curve, piece + 1, 0.0)).norm();
       // The difference of controls of 0.2 m, rounded to 3e-17 some times, over the handle: a third of the velocity.
@@ -129,7 +129,7 @@ TEST(Curve, ASplineStaysWithinTwoThirdsOfEachChord) {
     std::vector<Vec3> points_W{Vec3::Zero()};
     for (int i = 0; i < 8; ++i)
       points_W.push_back(points_W.back() + std::pow(10.0, random.between(-6, -1)) * random.direction());
-    const Oracle oracle(points_W, Kind::Spline, false);
+    const Oracle oracle(points_W, CurveKind::Spline, false);
     for (int i = 0; i < oracle.pieces(); ++i) {
       const Vec3 a = points_W[static_cast<std::size_t>(i)], b = points_W[static_cast<std::size_t>(i) + 1];
       for (double share = 0.0; share <= 1.0; share += 0.05) {
@@ -139,7 +139,7 @@ TEST(Curve, ASplineStaysWithinTwoThirdsOfEachChord) {
         ASSERT_LE((oracle.at(i, share).cast<double>() - a - along * (b - a)).norm(), 0.5001 * (b - a).norm());
       }
     }
-    const auto curve = curveOf(points_W, Kind::Spline);
+    const auto curve = curveOf(points_W, CurveKind::Spline);
     for (const Vec3& p_W : curve->controls_W) ASSERT_LT(p_W.norm(), 8.0 * 0.1 + 0.07);
   }
 }
@@ -149,11 +149,11 @@ TEST(Curve, ArcLengthIsThatOfManyChords) {
   for (int draw = 0; draw < test::sweep(6, 100); ++draw) {
     const bool closed = draw % 2 == 1;
     const std::vector<Vec3> points_W = randomPath(random, 10, 0.01);
-    const Oracle oracle(points_W, Kind::Spline, closed);
+    const Oracle oracle(points_W, CurveKind::Spline, closed);
     long double sum = 0.0L;
     for (int i = 0; i < oracle.pieces(); ++i) sum += lengthOfPiece(oracle, i, 2000);
     // spline.h: 1e-9 of each chord; the chords' own error is some 1e-12.
-    const auto curve = curveOf(points_W, Kind::Spline, closed);
+    const auto curve = curveOf(points_W, CurveKind::Spline, closed);
     EXPECT_NEAR(lengthOf(*curve), static_cast<double>(sum), 1e-9 * static_cast<double>(sum));
   }
 }
@@ -161,10 +161,10 @@ TEST(Curve, ArcLengthIsThatOfManyChords) {
 TEST(Curve, ArcLengthOfAHairpinIsWithinAMillionthOfAPiece) {
   for (const double off_m : {0.0, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3}) {
     const std::vector<Vec3> points_W{{0, 0, 0}, {0.05, 0, 0}, {0, off_m, 0}, {0.05, 3 * off_m, 0.001}};
-    const Oracle oracle(points_W, Kind::Spline, false);
+    const Oracle oracle(points_W, CurveKind::Spline, false);
     long double sum = 0.0L;
     for (int i = 0; i < oracle.pieces(); ++i) sum += lengthOfPiece(oracle, i, 20000);
-    const auto curve = curveOf(points_W, Kind::Spline);
+    const auto curve = curveOf(points_W, CurveKind::Spline);
     EXPECT_NEAR(lengthOf(*curve), static_cast<double>(sum), 1e-6 * 0.05) << off_m;
     EXPECT_LE(pieceCount(*curve), 3 * 24) << off_m;
   }
@@ -175,15 +175,15 @@ TEST(Curve, AnArcLengthOfACircleIsTheArc) {
   for (int i = 0; i < 500; ++i)
     points_W.emplace_back(0.04 * std::cos(i * kPi / 250), 0.04 * std::sin(i * kPi / 250), 0.01);
   // A polygon of n sides has 2 n R sin(pi / n); a cubic through the corners misses the circle by R (2 pi / n)^4 or so.
-  EXPECT_NEAR(lengthOf(*curveOf(points_W, Kind::Polyline, true)), 1000 * 0.04 * std::sin(kPi / 500), 1e-15);
-  EXPECT_NEAR(lengthOf(*curveOf(points_W, Kind::Spline, true)), 2 * kPi * 0.04,
+  EXPECT_NEAR(lengthOf(*curveOf(points_W, CurveKind::Polyline, true)), 1000 * 0.04 * std::sin(kPi / 500), 1e-15);
+  EXPECT_NEAR(lengthOf(*curveOf(points_W, CurveKind::Spline, true)), 2 * kPi * 0.04,
               2 * kPi * 0.04 * std::pow(kPi / 250, 4));
 }
 
 TEST(Curve, ThePointAtAnArcLengthIsThere) {
   Random random(Seed{20070605});
   for (int draw = 0; draw < test::sweep(40, 1000); ++draw) {
-    const Kind kind = draw % 2 == 0 ? Kind::Polyline : Kind::Spline;
+    const CurveKind kind = draw % 2 == 0 ? CurveKind::Polyline : CurveKind::Spline;
     const bool closed = draw % 4 >= 2;
     const auto curve = curveOf(randomPath(random, 15, 0.01), kind, closed);
     EXPECT_EQ(pointAt(*curve, 0.0), curve->controls_W.front());
@@ -200,14 +200,14 @@ TEST(Curve, ThePointAtAnArcLengthIsThere) {
 }
 
 TEST(Curve, WaysAlongAClosedOneAreTheShorterOnes) {
-  const auto square = curveOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Kind::Polyline, true);
+  const auto square = curveOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, CurveKind::Polyline, true);
   EXPECT_EQ(arcLengthBetween(*square, 0.5, 1.5), 1.0);
   EXPECT_EQ(arcLengthBetween(*square, 3.5, 0.5), 1.0);
   EXPECT_EQ(arcLengthBetween(*square, 0.5, 3.5), -1.0);
   EXPECT_EQ(wrappedArcLength(*square, 4.5), 0.5);
   EXPECT_EQ(wrappedArcLength(*square, -0.5), 3.5);
   EXPECT_EQ(wrappedArcLength(*square, 4.0), 0.0);
-  const auto open = curveOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Kind::Polyline);
+  const auto open = curveOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, CurveKind::Polyline);
   EXPECT_EQ(arcLengthBetween(*open, 0.5, 2.9), 2.4);
   EXPECT_EQ(wrappedArcLength(*open, 4.5), 3.0);
   EXPECT_EQ(wrappedArcLength(*open, -0.5), 0.0);
@@ -216,7 +216,7 @@ TEST(Curve, WaysAlongAClosedOneAreTheShorterOnes) {
 TEST(Curve, EveryBoxHoldsItsPieces) {
   Random random(Seed{20070606});
   for (const int count : {2, 3, 5, 6, 17, 65, 300}) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       std::vector<Vec3> points_W = randomPath(random, count, 0.01);
       for (Vec3& p_W : points_W) p_W += Vec3(900, -700, 0);  // where floats alone would be off by 0.03 mm
       const auto curve = curveOf(points_W, kind);
@@ -240,11 +240,11 @@ TEST(Curve, OfAMillionPointsIsMadeAndIsNoLargerThanItHasToBe) {
   Random random(Seed{20070607});
   std::vector<Vec3> points_W;
   for (std::size_t i = 0; i < kMaxPoints; ++i) points_W.push_back(random.inBox(0.1));  // the worst: all turns sharp
-  const auto polyline = curveOf(points_W, Kind::Polyline);
+  const auto polyline = curveOf(points_W, CurveKind::Polyline);
   EXPECT_EQ(pieceCount(*polyline), 999'999);
   EXPECT_LT(bytesOf(*polyline), 70'000'000U);
   points_W.resize(100'000);  // a tenth says as much, and takes a tenth of the time
-  const auto spline = curveOf(points_W, Kind::Spline);
+  const auto spline = curveOf(points_W, CurveKind::Spline);
   EXPECT_LT(pieceCount(*spline), 500'000);
   EXPECT_LT(bytesOf(*spline), 60'000'000U);
 }
@@ -253,13 +253,13 @@ TEST(Curve, AMillionLengthsAddUpToTheLastDigit) {
   std::vector<Vec3> points_W;
   for (std::size_t i = 0; i < kMaxPoints; ++i) points_W.emplace_back(i % 2 == 0 ? 0.0 : 0.1, 0.0, 0.0);
   // 0.1 is 5.6e-18 more as a double; added one by one without correction a million of it are off by 1e-6.
-  EXPECT_NEAR(lengthOf(*curveOf(points_W, Kind::Polyline)), 99999.9, 2e-11);
+  EXPECT_NEAR(lengthOf(*curveOf(points_W, CurveKind::Polyline)), 99999.9, 2e-11);
 }
 
 TEST(Curve, EqualPointsMakeEqualCurvesToTheBit) {
   Random random(Seed{20070608});
   const std::vector<Vec3> points_W = randomPath(random, 500, 0.003);
-  const auto a = curveOf(points_W, Kind::Spline, true), b = curveOf(points_W, Kind::Spline, true);
+  const auto a = curveOf(points_W, CurveKind::Spline, true), b = curveOf(points_W, CurveKind::Spline, true);
   EXPECT_EQ(a->controls_W, b->controls_W);
   EXPECT_EQ(a->s_m, b->s_m);
 }

@@ -29,7 +29,7 @@ const std::vector<Vec3> kSquare{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 
 
 TEST(Guidance, WithoutAHintOrAtFullStrengthOfPositionTheTargetIsTheNearestPoint) {
   for (const Guidance& guide : {Guidance{0.0, 0.0, 0.01}, Guidance{1.0, 0.2, 0.01}}) {
-    Led led{curveOf(kLine, Kind::Spline), guide};
+    Led led{curveOf(kLine, CurveKind::Spline), guide};
     for (double x_m = 0.02; x_m < 0.08; x_m += 1e-4) {
       const GuidedTarget guided = led.at({x_m, 0.005, 0});
       ASSERT_EQ(guided.p_WP, led.nearest.p_WP);  // to the bit
@@ -40,7 +40,7 @@ TEST(Guidance, WithoutAHintOrAtFullStrengthOfPositionTheTargetIsTheNearestPoint)
 }
 
 TEST(Guidance, RunsAtTheHintsSpeedAndWaitsAtItsLead) {
-  Led led{curveOf(kLine, Kind::Polyline), {0.25, 0.1, 0.01}};
+  Led led{curveOf(kLine, CurveKind::Polyline), {0.25, 0.1, 0.01}};
   EXPECT_NEAR(led.at({0.02, 0.005, 0}).guide_s_m, 0.02, 1e-17);  // starts at the hand
   for (int tick = 1; tick <= 300; ++tick) {
     const GuidedTarget guided = led.at({0.02, 0.005, 0});
@@ -52,13 +52,13 @@ TEST(Guidance, RunsAtTheHintsSpeedAndWaitsAtItsLead) {
 }
 
 TEST(Guidance, GoesTheOtherWayWithANegativeHint) {
-  Led led{curveOf(kLine, Kind::Spline), {0.0, -0.1, 0.01}};
+  Led led{curveOf(kLine, CurveKind::Spline), {0.0, -0.1, 0.01}};
   for (int tick = 0; tick <= 300; ++tick) led.at({0.05, 0.005, 0});
   EXPECT_NEAR(led.at({0.05, 0.005, 0}).p_WP.x(), 0.04, 1e-15);
 }
 
 TEST(Guidance, HoldsNobodyBackWhoIsFaster) {
-  Led led{curveOf(kLine, Kind::Polyline), {0.0, 0.05, 0.01}};
+  Led led{curveOf(kLine, CurveKind::Polyline), {0.0, 0.05, 0.01}};
   for (double x_m = 0.01; x_m < 0.08; x_m += 2e-4) {  // 0.2 m/s
     const GuidedTarget guided = led.at({x_m, 0.001, 0});
     ASSERT_EQ(guided.guide_s_m, led.nearest.s_m);
@@ -67,7 +67,7 @@ TEST(Guidance, HoldsNobodyBackWhoIsFaster) {
 }
 
 TEST(Guidance, ComesBackWithAHandThatGoesBack) {
-  Led led{curveOf(kLine, Kind::Polyline), {0.0, 0.05, 0.01}};
+  Led led{curveOf(kLine, CurveKind::Polyline), {0.0, 0.05, 0.01}};
   for (int tick = 0; tick < 500; ++tick) led.at({0.08, 0.001, 0});
   for (double x_m = 0.08; x_m > 0.02; x_m -= 2e-4) {
     ASSERT_LE(led.at({x_m, 0.001, 0}).guide_s_m, x_m + 0.01 + 1e-15);
@@ -75,10 +75,10 @@ TEST(Guidance, ComesBackWithAHandThatGoesBack) {
 }
 
 TEST(Guidance, StopsAtAnOpenEndAndGoesRoundAClosedOne) {
-  Led open{curveOf(kLine, Kind::Polyline), {0.0, 0.1, 0.02}};
+  Led open{curveOf(kLine, CurveKind::Polyline), {0.0, 0.1, 0.02}};
   for (int tick = 0; tick < 500; ++tick) open.at({0.095, 0.001, 0});
   EXPECT_EQ(open.at({0.095, 0.001, 0}).p_WP, Vec3(0.1, 0, 0));
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     Led closed{curveOf(kSquare, kind, true), {0.0, 0.1, 0.02}};
     Vec3 p_WT(0.0, 0.005, 0);
     double rounds_m = 0.0, last_m = closed.at(p_WT).guide_s_m;
@@ -96,7 +96,7 @@ TEST(Guidance, StopsAtAnOpenEndAndGoesRoundAClosedOne) {
 }
 
 TEST(Guidance, IsAQuarterOfAClosedCurveAheadAtMost) {
-  Led led{curveOf(kSquare, Kind::Polyline, true), {0.0, 1.0, 5.0}};
+  Led led{curveOf(kSquare, CurveKind::Polyline, true), {0.0, 1.0, 5.0}};
   for (int tick = 0; tick < 2000; ++tick) led.at({0.05, 0.001, 0});
   EXPECT_NEAR(led.at({0.05, 0.001, 0}).guide_s_m, 0.15, 1e-15);
 }
@@ -104,7 +104,7 @@ TEST(Guidance, IsAQuarterOfAClosedCurveAheadAtMost) {
 TEST(Guidance, TheTargetNeverMovesFasterThanTheSlewBeyondTheHand) {
   Random random(Seed{20070620});
   for (int draw = 0; draw < test::sweep(20, 1000); ++draw) {
-    const Kind kind = draw % 2 == 0 ? Kind::Polyline : Kind::Spline;
+    const CurveKind kind = draw % 2 == 0 ? CurveKind::Polyline : CurveKind::Spline;
     const bool closed = draw % 4 >= 2;
     Led led{curveOf(randomPath(random, 20, 0.01), kind, closed),
             {random.between(0, 1), random.between(-2, 2), random.between(1e-3, 0.05)}};
@@ -126,7 +126,7 @@ TEST(Guidance, TheTargetNeverMovesFasterThanTheSlewBeyondTheHand) {
 }
 
 TEST(Guidance, TheTargetKeepsUpWithTheFastestHand) {  // the slew is beyond what the hand itself moves
-  Led led{curveOf(kLine, Kind::Polyline), {}};
+  Led led{curveOf(kLine, CurveKind::Polyline), {}};
   for (double x_m = 0.0; x_m < 0.1; x_m += 0.01) {  // 10 m/s
     const GuidedTarget guided = led.at({x_m, 0.001, 0});
     ASSERT_EQ(guided.p_WP, led.nearest.p_WP);
@@ -137,7 +137,7 @@ TEST(Guidance, TheTargetKeepsUpWithTheFastestHand) {  // the slew is beyond what
 TEST(Guidance, AChangeOfBranchTakesItsTimeAndArrives) {
   const std::vector<Vec3> hairpin{{0, 0.01, 0},     {0.02, 0.01, 0},  {0.04, 0.01, 0},
                                   {0.04, -0.01, 0}, {0.02, -0.01, 0}, {0, -0.01, 0}};
-  Led led{curveOf(hairpin, Kind::Polyline), {}};
+  Led led{curveOf(hairpin, CurveKind::Polyline), {}};
   led.at({0.01, 1e-6, 0});
   int ticks = 1;
   while (led.at({0.01, -1e-6, 0}).is_slewing && ticks < 100) ++ticks;
@@ -149,7 +149,7 @@ TEST(Guidance, AChangeOfBranchTakesItsTimeAndArrives) {
 }
 
 TEST(Guidance, ATipThatIsNotFiniteLeavesTheStateAsItWas) {
-  Led led{curveOf(kLine, Kind::Spline), {0.0, 0.1, 0.01}};
+  Led led{curveOf(kLine, CurveKind::Spline), {0.0, 0.1, 0.01}};
   for (int tick = 0; tick < 50; ++tick) led.at({0.02, 0.005, 0});
   const GuidanceState before = led.state;
   const GuidedTarget guided = led.at({kNotANumber, 0, 0});

@@ -25,7 +25,7 @@ void expectSound(const Curve& curve, const Nearest& nearest, const Vec3& p_WT, d
 }
 
 TEST(CurveNearest, IsTheFootOfACornerWorkedByHand) {
-  const auto corner = curveOf({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, Kind::Polyline);
+  const auto corner = curveOf({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, CurveKind::Polyline);
   const Nearest on_first = nearestOf(*corner, {1, -2, 0});
   EXPECT_EQ(on_first.p_WP, Vec3(1, 0, 0));
   EXPECT_EQ(on_first.distance_m, 2.0);
@@ -46,7 +46,7 @@ TEST(CurveNearest, OnAParabolaIsWhatItsCubicEquationSays) {
   // The tangents of a cubic with controls (0, 0), (1/3, 0), (2/3, 1/3), (1, 1) make it y = x^2, x = u. A spline cannot
   // be told its controls, so a curve is put together.
   Curve parabola;
-  parabola.kind = Kind::Spline;
+  parabola.kind = CurveKind::Spline;
   parabola.controls_W = {{0, 0, 0}, {1.0 / 3, 0, 0}, {2.0 / 3, 1.0 / 3, 0}, {1, 1, 0}};
   parabola.s_m = {0.0, 1.4789428575445974};  // sqrt(5) / 2 + asinh(2) / 4
   parabola.largest_m = 1.0;
@@ -63,7 +63,7 @@ TEST(CurveNearest, OnAParabolaIsWhatItsCubicEquationSays) {
   EXPECT_NEAR(nearestOf(parabola, {0, 0.5, 0}).distance_m, 0.5, 1e-15);
 }
 
-void sweepAgainstOracle(Kind kind, int draws, double relative, std::uint64_t seed) {
+void sweepAgainstOracle(CurveKind kind, int draws, double relative, std::uint64_t seed) {
   Random random(Seed{seed});
   for (int draw = 0; draw < draws; ++draw) {
     const bool closed = draw % 2 == 1;
@@ -88,16 +88,16 @@ void sweepAgainstOracle(Kind kind, int draws, double relative, std::uint64_t see
 
 // Relative to coordinates of 0.3 m: within 2^-49 for lines; for cubics kRounding, 2^-43, and what the controls are off.
 TEST(CurveNearest, OfAPolylineIsTheLeastOfAll) {
-  sweepAgainstOracle(Kind::Polyline, test::sweep(200, 20'000), 0x1p-49, 20070601);
+  sweepAgainstOracle(CurveKind::Polyline, test::sweep(200, 20'000), 0x1p-49, 20070601);
 }
 TEST(CurveNearest, OfASplineIsTheLeastOfAll) {
-  sweepAgainstOracle(Kind::Spline, test::sweep(40, 2000), 0x1p-43, 20070602);
+  sweepAgainstOracle(CurveKind::Spline, test::sweep(40, 2000), 0x1p-43, 20070602);
 }
 
 TEST(CurveNearest, TheErrorIsAcrossASpline) {  // a step along it changes the distance in second order only
   Random random(Seed{20070603});
   for (int draw = 0; draw < test::sweep(2000, 100'000); ++draw) {
-    const auto curve = curveOf(randomPath(random, 8, 0.01), Kind::Spline, draw % 2 == 1);
+    const auto curve = curveOf(randomPath(random, 8, 0.01), CurveKind::Spline, draw % 2 == 1);
     const Vec3 p_WT = pointAt(*curve, random.between(0, lengthOf(*curve))) + 1e-3 * random.direction();
     const Nearest nearest = nearestOf(*curve, p_WT);
     const bool at_end = !curve->is_closed && (nearest.s_m == 0.0 || nearest.s_m == lengthOf(*curve));
@@ -111,7 +111,7 @@ TEST(CurveNearest, TheErrorIsAcrossASpline) {  // a step along it changes the di
 TEST(CurveNearest, HoldsInEveryUnitAndFarFromTheOrigin) {
   Random random(Seed{20070604});
   for (const double scale : {1e-9, 1e-6, 1e-3, 1.0, 1e3}) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       std::vector<Vec3> points_W = randomPath(random, 20, 0.1);
       double largest = 0.0;
       for (const Vec3& p_W : points_W) largest = std::max(largest, p_W.cwiseAbs().maxCoeff());
@@ -139,7 +139,7 @@ TEST(CurveNearest, HoldsInEveryUnitAndFarFromTheOrigin) {
 
 TEST(CurveNearest, OfTwoPointsOfAnyLengthIsTheFoot) {
   for (const double length_m : {2e-12, 1e-9, 1e-3, 1.0, 1e3}) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       const auto curve = curveOf({{0, 0, 0}, {length_m, 0, 0}}, kind);
       const Nearest nearest = nearestOf(*curve, {0.25 * length_m, 0.5 * length_m, 0});
       EXPECT_LT((nearest.p_WP - Vec3(0.25 * length_m, 0, 0)).norm(), 1e-15 * length_m);
@@ -152,7 +152,7 @@ TEST(CurveNearest, BetweenTwoEqualBranchesIsNotUniqueAndTheLastStays) {
   // A hairpin, 4 mm wide; its middle line is as near to both sides.
   const std::vector<Vec3> points_W{{0, 0.002, 0},     {0.02, 0.002, 0},  {0.04, 0.002, 0},
                                    {0.04, -0.002, 0}, {0.02, -0.002, 0}, {0, -0.002, 0}};
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     const auto curve = curveOf(points_W, kind);
     const Vec3 p_WT(0.01, 0, 0);
     EXPECT_FALSE(nearestOf(*curve, p_WT).is_unique);
@@ -168,14 +168,14 @@ TEST(CurveNearest, BetweenTwoEqualBranchesIsNotUniqueAndTheLastStays) {
 }
 
 TEST(CurveNearest, OnACrossingIsUnique) {  // both branches pull to the same point: nowhere
-  const auto cross = curveOf({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, Kind::Polyline);
+  const auto cross = curveOf({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, CurveKind::Polyline);
   EXPECT_TRUE(nearestOf(*cross, {0, 0, 0}).is_unique);
   EXPECT_EQ(nearestOf(*cross, {0, 0, 0}).distance_m, 0.0);
   EXPECT_FALSE(nearestOf(*cross, {0.125, -0.125, 0}).is_unique);
 }
 
 TEST(CurveNearest, WhereOneCubicHasTwoEqualMinimaBothAreSeen) {
-  const auto arch = curveOf({{-0.03, -0.05, 0}, {-0.02, 0, 0}, {0.02, 0, 0}, {0.03, -0.05, 0}}, Kind::Spline);
+  const auto arch = curveOf({{-0.03, -0.05, 0}, {-0.02, 0, 0}, {0.02, 0, 0}, {0.03, -0.05, 0}}, CurveKind::Spline);
   int seen = 0;
   for (double y_m = -0.05; y_m < 0.02; y_m += 0.001) {  // along the axis of symmetry
     const Nearest nearest = nearestOf(*arch, {0, y_m, 0});
@@ -189,17 +189,17 @@ TEST(CurveNearest, WhereOneCubicHasTwoEqualMinimaBothAreSeen) {
 
 TEST(CurveNearest, OfAMillionPointsIsTheLeastOfAll) {
   Random random(Seed{20070606});
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
-    const int count = kind == Kind::Spline ? 100'000 : 1'000'000;  // a spline of a million takes seconds to make
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
+    const int count = kind == CurveKind::Spline ? 100'000 : 1'000'000;  // a spline of a million takes seconds to make
     const std::vector<Vec3> points_W = randomPath(random, count, 1e-4);
     const auto curve = curveOf(points_W, kind);
-    const Oracle oracle(points_W, Kind::Polyline, false);
+    const Oracle oracle(points_W, CurveKind::Polyline, false);
     for (int k = 0; k < 5; ++k) {
       const Vec3 p_WT = pointAt(*curve, random.between(0, lengthOf(*curve))) + 1e-3 * random.direction();
       const Nearest nearest = nearestOf(*curve, p_WT);
       ASSERT_TRUE(nearest.is_proved);
       // The lines of 0.2 mm at most are the oracle of the spline, too: it is within half a chord of them (spline.h).
-      const double allowed_m = kind == Kind::Spline ? 1e-4 : 0x1p-49 * curve->largest_m;
+      const double allowed_m = kind == CurveKind::Spline ? 1e-4 : 0x1p-49 * curve->largest_m;
       ASSERT_NEAR(nearest.distance_m, static_cast<double>(oracle.distance(p_WT, 1)), allowed_m);
     }
   }
@@ -207,7 +207,7 @@ TEST(CurveNearest, OfAMillionPointsIsTheLeastOfAll) {
 
 TEST(CurveNearest, AtTheCentreOfACircleTimeIsBounded) {
   for (const int count : {12, 1000, 100'000}) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       std::vector<Vec3> points_W;
       for (int i = 0; i < count; ++i) {
         points_W.emplace_back(0.04 * std::cos(2 * kPi * i / count), 0.04 * std::sin(2 * kPi * i / count), 0);
@@ -219,10 +219,10 @@ TEST(CurveNearest, AtTheCentreOfACircleTimeIsBounded) {
         EXPECT_FALSE(nearest.is_unique);
         // The apothem of the polygon, or for a cubic within its distance from the circle.
         const double apothem_m = 0.04 * std::cos(kPi / count);
-        if (kind == Kind::Polyline) {
+        if (kind == CurveKind::Polyline) {
           EXPECT_NEAR(nearest.distance_m, apothem_m, 1e-12);
         }
-        if (kind == Kind::Spline) {
+        if (kind == CurveKind::Spline) {
           EXPECT_NEAR(nearest.distance_m, 0.04, 0.04 * std::pow(2 * kPi / count, 4) + 1e-14);
         }
       }
@@ -232,7 +232,7 @@ TEST(CurveNearest, AtTheCentreOfACircleTimeIsBounded) {
 
 TEST(CurveNearest, OfAnyFiniteTipIsFinite) {
   Random random(Seed{20070605});
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     const auto curve = curveOf(randomPath(random, 30, 0.01), kind);
     for (const double size : {1e-310, 1e-200, 1e-30, 1e5, 1e7, 1e30, 1e153, 1e155, 1e200, 1.7e308}) {
       for (const Search search : {Search::Global, Search::Hybrid, Search::Local}) {
@@ -253,7 +253,7 @@ TEST(CurveNearest, OfAnyFiniteTipIsFinite) {
 }
 
 TEST(CurveNearest, AStateOfAnotherCurveIsAsGoodAsNone) {
-  const auto curve = curveOf({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, Kind::Polyline);
+  const auto curve = curveOf({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}}, CurveKind::Polyline);
   for (const std::int32_t piece : {-5, 2, 1'000'000}) {
     SearchState state{piece};
     EXPECT_EQ(nearestPoint(*curve, Search::Local, {1, -2, 0}, state).p_WP, Vec3(1, 0, 0));

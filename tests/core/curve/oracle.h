@@ -19,7 +19,7 @@ class Oracle {
   using Long = long double;
   using Point = Eigen::Matrix<Long, 3, 1>;
 
-  Oracle(const std::vector<Vec3>& points_W, Kind kind, bool closed) : kind_(kind) {
+  Oracle(const std::vector<Vec3>& points_W, CurveKind kind, bool closed) : kind_(kind) {
     for (const Vec3& p_W : points_W) points_.push_back(p_W.cast<Long>());
     const Point before = closed ? points_.back() : Point(2.0L * points_[0] - points_[1]);
     const Point last = points_.back(), last_but_one = points_[points_.size() - 2];
@@ -39,7 +39,7 @@ class Oracle {
   /// The point of piece i at a share of it: of its knots' interval, which a line goes through evenly, too.
   Point at(int i, Long share) const {
     const Point* p = &points_[static_cast<std::size_t>(i)];
-    if (kind_ == Kind::Polyline) return p[1] + share * (p[2] - p[1]);
+    if (kind_ == CurveKind::Polyline) return p[1] + share * (p[2] - p[1]);
     Long knot[4] = {0, 0, 0, 0};
     for (int k = 0; k < 3; ++k) knot[k + 1] = knot[k] + std::sqrt((p[k + 1] - p[k]).norm());
     const Long t = knot[1] + share * (knot[2] - knot[1]);
@@ -66,7 +66,7 @@ class Oracle {
  private:
   Long distanceOfPiece(const Point& q, int i, int samples) const {
     const auto off = [&](Long share) { return (at(i, share) - q).norm(); };
-    if (kind_ == Kind::Polyline) return offLine(q, at(i, 0), at(i, 1));
+    if (kind_ == CurveKind::Polyline) return offLine(q, at(i, 0), at(i, 1));
     Long best = std::numeric_limits<Long>::infinity();
     std::vector<Long> values;
     for (int k = 0; k <= samples; ++k) values.push_back(off(static_cast<Long>(k) / samples));
@@ -89,12 +89,12 @@ class Oracle {
     return (a + share * (b - a) - q).norm();
   }
 
-  Kind kind_;
+  CurveKind kind_;
   int pieces_ = 0;
   std::vector<Point> points_;  // with the one before and the one behind
 };
 
-inline std::shared_ptr<const Curve> curveOf(const std::vector<Vec3>& points_W, Kind kind, bool closed = false) {
+inline std::shared_ptr<const Curve> curveOf(const std::vector<Vec3>& points_W, CurveKind kind, bool closed = false) {
   return makeCurve(points_W, kind, closed).value();
 }
 

@@ -54,7 +54,7 @@ bool sameBits(const Nearest& a, const Nearest& b) {
 TEST(CurveSearch, HybridFindsWhatGlobalFinds) {
   Random random(Seed{20070611});
   for (const Case& one : cases()) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       const auto curve = curveOf(one.points_W, kind, one.closed);
       SearchState hybrid, global;
       int apart = 0;
@@ -74,7 +74,7 @@ TEST(CurveSearch, HybridFindsWhatGlobalFinds) {
 TEST(CurveSearch, LocalFollowsTheBranchThatItIsOnAndIsTheLeastThere) {
   Random random(Seed{20070612});
   for (const Case& one : cases()) {
-    for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+    for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
       const auto curve = curveOf(one.points_W, kind, one.closed);
       const bool is_tame = one.points_W.size() <= 60;  // no branches near each other but at crossings
       SearchState local, global;
@@ -102,7 +102,7 @@ TEST(CurveSearch, LocalStaysOnItsBranchWhereHybridChanges) {
   // A hairpin 4 mm wide; the hand leaves one side across for the other.
   const std::vector<Vec3> points_W{{0, 0.002, 0},     {0.02, 0.002, 0},  {0.04, 0.002, 0},
                                    {0.04, -0.002, 0}, {0.02, -0.002, 0}, {0, -0.002, 0}};
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     const auto curve = curveOf(points_W, kind);
     SearchState local, hybrid;
     Nearest walked, proved;
@@ -119,7 +119,7 @@ TEST(CurveSearch, LocalStaysOnItsBranchWhereHybridChanges) {
 TEST(CurveSearch, LocalCatchesUpWithAFarMoveInAFewTicks) {
   std::vector<Vec3> points_W;
   for (int i = 0; i <= 2000; ++i) points_W.emplace_back(1e-5 * i, 0, 0);
-  const auto curve = curveOf(points_W, Kind::Polyline);
+  const auto curve = curveOf(points_W, CurveKind::Polyline);
   SearchState state;
   nearestPoint(*curve, Search::Local, {0, 0.001, 0}, state);
   Nearest nearest;
@@ -132,8 +132,8 @@ TEST(CurveSearch, LocalCatchesUpWithAFarMoveInAFewTicks) {
 
 TEST(CurveSearch, GivesTheSameBitsFromTheSameStates) {
   Random random(Seed{20070613});
-  const auto curve = curveOf(scenePath("trefoil.txt"), Kind::Spline, true);
-  const auto again = curveOf(scenePath("trefoil.txt"), Kind::Spline, true);
+  const auto curve = curveOf(scenePath("trefoil.txt"), CurveKind::Spline, true);
+  const auto again = curveOf(scenePath("trefoil.txt"), CurveKind::Spline, true);
   const std::vector<Vec3> tips = handPath(*curve, random, 0.02, 2000);
   for (const Search search : {Search::Global, Search::Hybrid, Search::Local}) {
     SearchState a, b;
@@ -146,7 +146,7 @@ TEST(CurveSearch, GivesTheSameBitsFromTheSameStates) {
 TEST(CurveSearch, NeverLooksAtManyPartsOnAPathOfAHand) {
   // What makes Hybrid fit for the tick; the figures are in the bench.
   Random random(Seed{20070614});
-  for (const Kind kind : {Kind::Polyline, Kind::Spline}) {
+  for (const CurveKind kind : {CurveKind::Polyline, CurveKind::Spline}) {
     const auto curve = curveOf(randomPath(random, 20'000, 0.001), kind);
     SearchState state;
     int max = 0;

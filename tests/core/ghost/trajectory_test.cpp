@@ -87,11 +87,11 @@ TEST(Trajectory, JointsThatAreNoNumbersStandStill) {
   maker.add({0, 0, kInfinity, 0, 0, 0}, true);
   const Trajectory trajectory = maker.take();
   ASSERT_EQ(trajectory.rows.size(), 3U);
-  for (const Row& row : trajectory.rows) EXPECT_EQ(row.place.p_WG, trajectory.rows.front().place.p_WG);
+  for (const TrajectoryRow& row : trajectory.rows) EXPECT_EQ(row.place.p_WG, trajectory.rows.front().place.p_WG);
   EXPECT_EQ(trajectory.jumps, 0);
 }
 
-TEST(Trajectory, OfNoTicksHasNoRows) {
+TEST(Trajectory, HasNoPointsWithoutTicks) {
   EXPECT_TRUE(TrajectoryBuilder(geometry(), 1000.0).take().rows.empty());
 }
 

@@ -17,7 +17,7 @@ TEST(Words, ComeThroughWithTheirPatterns) {
   EXPECT_EQ(come->places().at(0).places().at(1).pattern(), "%1 faces");
 }
 
-TEST(Words, OfNoSentenceAreNone) {
+TEST(Words, ReadAnEmptyTextAsNoSentence) {
   EXPECT_EQ(decodeSentence(""), Sentence());
   for (const char* letters : {"0", "0no end of the line", "1%1 of nothing\n", "0one\n0two\n", "xnumber\n", "\n"})
     EXPECT_FALSE(decodeSentence(letters)) << letters;

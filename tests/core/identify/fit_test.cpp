@@ -17,14 +17,14 @@ constexpr double kPeriod_s = 1e-3;
 constexpr double kStep_m = 0.055e-3;  // of an encoder at the tip
 
 /// Rows of a body that a spring of 100 N/m, clamped at 0.88 N, draws to targets 10 mm to each side.
-std::vector<Row> swingsOf(const Body& body, double step_m, int targets = 8) {
+std::vector<MotionRow> swingsOf(const Body& body, double step_m, int targets = 8) {
   const BodyStep step(body, kPeriod_s);
-  std::vector<Row> rows;
+  std::vector<MotionRow> rows;
   Motion motion;
   for (int target = 0; target < targets; ++target) {
     const double target_m = target % 2 == 0 ? 0.010 : -0.010;
     for (int tick = 0; tick < 400; ++tick) {
-      Row row;
+      MotionRow row;
       row.time_ns = 1'000'000 * static_cast<std::int64_t>(rows.size());
       row.p_WT.x() = step_m > 0.0 ? step_m * std::round(motion.x_m / step_m) : motion.x_m;
       row.p_WP.x() = target_m;
@@ -38,7 +38,7 @@ std::vector<Row> swingsOf(const Body& body, double step_m, int targets = 8) {
   return rows;
 }
 
-BodyFit fitOf(const std::vector<Row>& rows) {
+BodyFit fitOf(const std::vector<MotionRow>& rows) {
   const Result<BodyFit> fit = fitBody(windowsOf(rows, Vec3::UnitX(), kPeriod_s));
   EXPECT_TRUE(static_cast<bool>(fit));
   return fit ? fit.value() : BodyFit{};
@@ -81,7 +81,7 @@ TEST(BodyFit, ATipThatStandsStillTellsNothingAndSaysSo) {
 }
 
 TEST(BodyFit, AMotionThatNoBodyMakesIsRefused) {
-  std::vector<Row> rows = swingsOf({0.045, 0.26, 0.4, 0.0}, 0.0);
+  std::vector<MotionRow> rows = swingsOf({0.045, 0.26, 0.4, 0.0}, 0.0);
   for (std::size_t row = 0; row < rows.size(); ++row)  // a hand that goes to and fro as it likes
     rows[row].p_WT.x() = 0.01 * std::sin(0.05 * static_cast<double>(row)) * std::cos(0.013 * static_cast<double>(row));
   EXPECT_FALSE(fitBody(windowsOf(rows, Vec3::UnitX(), kPeriod_s)));
@@ -102,7 +102,7 @@ TEST(BodyFit, IsAskedWindowByWindowWhetherItGoesOnAndEndsAtTheFirstNo) {
 }
 
 TEST(Windows, NoneGoesOverAGapAndRestsAreLeftOut) {
-  std::vector<Row> rows = swingsOf({0.045, 0.26, 0.4, 0.0}, 0.0, 2);
+  std::vector<MotionRow> rows = swingsOf({0.045, 0.26, 0.4, 0.0}, 0.0, 2);
   for (std::size_t row = 100; row < rows.size(); ++row) rows[row].time_ns += 5'000'000;
   for (const Window& window : windowsOf(rows, Vec3::UnitX(), kPeriod_s)) {
     EXPECT_TRUE(window.first_row >= 100 || window.first_row + window.travel_m.size() <= 100);
@@ -112,9 +112,9 @@ TEST(Windows, NoneGoesOverAGapAndRestsAreLeftOut) {
 }
 
 TEST(Windows, FrictionCountsByTheDirectionOfTheWholeMotion) {
-  std::vector<Row> rows;
+  std::vector<MotionRow> rows;
   for (int tick = 0; tick < 200; ++tick) {
-    Row row;
+    MotionRow row;
     row.time_ns = std::int64_t{1'000'000} * tick;
     row.p_WT = 1e-3 * tick * Vec3(0.3, 0.4, 0.0);  // 0.5 m/s, 3 : 4 : 5
     rows.push_back(row);
@@ -127,13 +127,13 @@ TEST(Windows, FrictionCountsByTheDirectionOfTheWholeMotion) {
 
 TEST(StiffnessFromSwing, IsTheOneOfTheSpringThatPulledWhateverWasSaidToBeSent) {
   const Body body{0.3, 0.05, 0.3, 0.0};
-  std::vector<Row> rows = swingsOf(body, kStep_m, 12);
-  for (Row& row : rows) row.f_T_W.setZero();
+  std::vector<MotionRow> rows = swingsOf(body, kStep_m, 12);
+  for (MotionRow& row : rows) row.f_T_W.setZero();
   const auto found = stiffnessFromSwing(rows, Vec3::UnitX(), kPeriod_s, body, 100.0);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->value_N_per_m, 100.0, 1.0);  // 55 um steps; without them see below
   EXPECT_LT(found->uncertainty_N_per_m, 1.0);
-  std::vector<Row> exact = swingsOf(body, 0.0, 12);
+  std::vector<MotionRow> exact = swingsOf(body, 0.0, 12);
   const auto without = stiffnessFromSwing(exact, Vec3::UnitX(), kPeriod_s, body, 100.0);
   ASSERT_TRUE(without);
   EXPECT_NEAR(without->value_N_per_m, 100.0, 0.1);  // with integrals in place of sums it was 1 to 3 % low
@@ -177,7 +177,7 @@ TEST(Steps, OfASmoothSignalOrOneThatHardlyMovesThereAreNone) {
 }
 
 TEST(Noise, OfStepsInASlowMotionIsStepOverRootTwelve) {
-  std::vector<Row> rows(4000);
+  std::vector<MotionRow> rows(4000);
   for (std::size_t row = 0; row < rows.size(); ++row)
     rows[row].p_WT.y() = kStep_m * std::round(8e-6 * static_cast<double>(row) / kStep_m);  // 8 mm/s
   // 0.8 mm in a tenth of a second are 15 steps: the parabola takes 3 of so many degrees of freedom, and bends a little.
@@ -186,18 +186,18 @@ TEST(Noise, OfStepsInASlowMotionIsStepOverRootTwelve) {
 }
 
 TEST(Noise, AtRestIsTheDeviationAboutTheMean) {
-  std::vector<Row> rows(1000);
+  std::vector<MotionRow> rows(1000);
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].p_WT = Vec3(row % 2 == 0 ? 1e-5 : -1e-5, 0.05, 0.0);
   EXPECT_NEAR(restNoise(rows).x(), 1e-5, 1e-15);
   EXPECT_NEAR(restNoise(rows).y(), 0.0, 1e-15);
 }
 
 /// Two presses of 3 mm; force there is k x, back it is k x - gap, from 0.88 N on it is cut.
-std::vector<Row> pressed(double k_N_per_m, double gap_N) {
-  std::vector<Row> rows;
+std::vector<MotionRow> pressed(double k_N_per_m, double gap_N) {
+  std::vector<MotionRow> rows;
   for (int tick = 0; tick < 4000; ++tick) {
     const double turn = 2.0 * kPi * tick / 2000.0, x_m = 1.5e-3 * (1.0 - std::cos(turn));
-    Row row;
+    MotionRow row;
     row.time_ns = std::int64_t{1'000'000} * tick;
     row.p_WT.y() = -x_m;
     const double asked_N = k_N_per_m * x_m - (std::sin(turn) < 0.0 ? gap_N : 0.0);
@@ -222,7 +222,7 @@ TEST(Press, FindsTheSlopeTheGapAndTheClamp) {
 }
 
 TEST(Press, OneWayOnlyIsRefused) {
-  std::vector<Row> rows = pressed(500.0, 0.0);
+  std::vector<MotionRow> rows = pressed(500.0, 0.0);
   rows.resize(1000);
   EXPECT_FALSE(pressOf(rows, -Vec3::UnitY(), kPeriod_s));
 }

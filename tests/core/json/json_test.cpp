@@ -24,11 +24,11 @@ Value valueOf(const std::string& text) {
 
 TEST(Json, EveryKindIsReadWithThePlaceOfItsFirstCharacter) {
   const Value root = valueOf("{\n  \"a\": [1, -2.5e1, true],\n\t\"b\" : {\"c\": null, \"d\": \"x\"}, \"e\": false\n}");
-  EXPECT_EQ(root.kind, Kind::Object);
+  EXPECT_EQ(root.kind, JsonKind::Object);
   EXPECT_EQ(root.keys, (std::vector<std::string>{"a", "b", "e"}));
   EXPECT_EQ(root.key_places[1], (std::pair{3, 2}));
   const Value& list = *root.find("a");
-  EXPECT_EQ(list.kind, Kind::Array);
+  EXPECT_EQ(list.kind, JsonKind::Array);
   EXPECT_EQ((std::pair{list.line, list.column}), (std::pair{2, 8}));
   EXPECT_EQ(list.items[1].number, -25.0);
   EXPECT_EQ((std::pair{list.items[1].line, list.items[1].column}), (std::pair{2, 12}));
@@ -36,11 +36,11 @@ TEST(Json, EveryKindIsReadWithThePlaceOfItsFirstCharacter) {
   EXPECT_EQ(list.items[2].column, 20);
   const Value& object = *root.find("b");
   EXPECT_EQ((std::pair{object.line, object.column}), (std::pair{3, 8}));
-  EXPECT_EQ(object.find("c")->kind, Kind::Null);
+  EXPECT_EQ(object.find("c")->kind, JsonKind::Null);
   EXPECT_EQ(object.find("c")->column, 14);
   EXPECT_EQ(object.find("d")->text, "x");
   EXPECT_EQ(object.find("d")->column, 25);
-  EXPECT_EQ(root.find("e")->kind, Kind::Bool);
+  EXPECT_EQ(root.find("e")->kind, JsonKind::Bool);
   EXPECT_EQ(root.find("e")->column, 36);
   EXPECT_EQ(root.find("z"), nullptr);
 }
@@ -171,7 +171,7 @@ TEST(Json, BothHalvesOfAPairOfEscapesAreNeeded) {
             "1:2: A \\u escape in this text is half of a pair; its other half is missing.");
 }
 
-TEST(Json, WhatIsNotUtf8IsRefusedAtItsFirstByte) {
+TEST(Json, RefusesInvalidUtf8AtItsFirstByte) {
   const char* sentence = ": This is not text in UTF-8; save the file as UTF-8.";
   for (const char* bytes : {"\x80", "\xC0\xAF", "\xC3", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF0\x80\x80\x80",
                             "\xF4\x90\x80\x80", "\xF5\x80\x80\x80", "\xE2\x82", "\xFF"}) {

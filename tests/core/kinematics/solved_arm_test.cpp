@@ -46,7 +46,7 @@ TEST(SolvedArm, ThePoseOfEachSolutionIsThePoseAsked) {
   for (const Found& one : answer.found) EXPECT_LT((poseOf(arm, one.q) - matrixOf(X_WT)).cwiseAbs().maxCoeff(), 1e-8);
 }
 
-TEST(ReadPose, WhatIsNoPoseIsRefusedWithTheReason) {
+TEST(ReadPose, RefusesWhatIsNoPoseWithTheReason) {
   Pose X;
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   EXPECT_EQ(readPose(matrix, X), "");

@@ -49,13 +49,13 @@ TEST(SampledResponse, SettlingIsOnTheLineBetweenTwoSamples) {
   EXPECT_FALSE(metrics.peak_time_s.has_value());
 }
 
-TEST(SampledResponse, WhatStillSwingsAtTheEndNeverSettles) {
+TEST(SampledResponse, NeverSettlesWhileItSwings) {
   const StepMetrics metrics = metricsOf(sampled(secondOrder(10.0, 0.0), 1.0, 20.0 * kPi, 1e-3));
   EXPECT_FALSE(metrics.settling_2pct_s.has_value());
   EXPECT_NEAR(*metrics.final_value, 1.0, 0.01);
 }
 
-TEST(SampledResponse, WhatDidNotMoveHasNothingToMeasure) {
+TEST(SampledResponse, MeasuresNothingWhereNothingMoved) {
   const StepMetrics metrics = metricsOf(SampledResponse{1e-3, std::vector<double>(100, 0.25)});
   EXPECT_EQ(metrics.final_value, 0.0);
   EXPECT_FALSE(metrics.rise_10_90_s || metrics.settling_2pct_s || metrics.overshoot_fraction);

@@ -28,7 +28,7 @@ double numberAt(const json::Value& object, const char* key) {
 
 void expectNear(const std::optional<double>& found, const json::Value* wanted, const std::string& what) {
   ASSERT_NE(wanted, nullptr) << what;
-  if (wanted->kind == json::Kind::Null) {
+  if (wanted->kind == json::JsonKind::Null) {
     EXPECT_FALSE(found.has_value()) << what;
     return;
   }
@@ -71,7 +71,7 @@ TEST(StepMetrics, FirstOrderAgreesWithItsClosedForm) {
   }
 }
 
-TEST(StepMetrics, WhatGrowsOrDriftsHasNoNumbers) {
+TEST(StepMetrics, GivesNoNumbersWhereTheResponseGrowsOrDrifts) {
   for (const std::vector<double>& den : {std::vector<double>{1, -1}, {1, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0, 2, 0, 1}}) {
     const StepMetrics metrics = metricsOf(TransferFunction{{1.0}, den});
     EXPECT_FALSE(metrics.final_value || metrics.rise_10_90_s || metrics.settling_2pct_s || metrics.peak_time_s ||

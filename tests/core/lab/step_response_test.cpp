@@ -138,7 +138,7 @@ TEST(ArmStep, GainsOfJointsAreFeltByTheirLevers) {
   EXPECT_NEAR(step.fit->omega_n_rad_per_s / std::sqrt(step.model.kp_N_per_m / 0.1), 1.0, 0.1);
 }
 
-TEST(ArmStep, WhatCannotBeMeasuredIsRefusedInWords) {
+TEST(ArmStep, RefusesWhatItCannotMeasureInASentence) {
   const auto sentence = [](const scene::Description& scene, const StepSetup& setup) {
     const Result<ArmStep> step = measureStep(scene, setup);
     return step ? Sentence() : step.problems().at(0).sentence;

@@ -42,7 +42,7 @@ TEST(TransferFunction, ZerosInFrontAndCommonPowersOfSGo) {
   EXPECT_EQ(made({0}, {1, 0}).num, std::vector<double>{0});
 }
 
-TEST(TransferFunction, WhatIsNoneIsRefusedInWords) {
+TEST(TransferFunction, RefusesWhatIsNoTransferFunctionInASentence) {
   EXPECT_NE(sentenceOf({}, {1, 1}).find("numerator"), std::string::npos);
   EXPECT_NE(sentenceOf({1}, {}).find("has no s;"), std::string::npos);
   EXPECT_NE(sentenceOf({1}, {5}).find("has no s;"), std::string::npos);

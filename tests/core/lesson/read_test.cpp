@@ -92,7 +92,7 @@ TEST(ReadLesson, EachCheckIsTheKindThatItsKeysSay) {
   EXPECT_EQ(std::variant_size_v<Task>, 6u);
 }
 
-TEST(ReadLesson, WhatDoesNotGoTogetherIsRefused) {
+TEST(ReadLesson, RefusesKeysThatExcludeEachOther) {
   for (const char* check :
        {R"({"measure": "force_N", "above": 2, "below": 1})",
         R"({"measure": "force_N", "above": 2, "near": 1, "within": 1})", R"({"measure": "force_N", "near": 1})",

@@ -17,7 +17,7 @@ Wanted of(chain::Chain chain, Orientation orientation = Orientation::None) {
   return wanted;
 }
 
-std::optional<Kind> kindOf(Wanted wanted) {
+std::optional<ClosedFormKind> kindOf(Wanted wanted) {
   const Manipulator m = test::made(std::move(wanted));
   EXPECT_EQ(m.closed.has_value(), m.options.method == Method::ClosedForm);
   return m.closed ? std::optional(m.closed->kind) : std::nullopt;
@@ -32,30 +32,31 @@ chain::Chain twoTurns(const Vec3& one_W, const Vec3& two_W, const Vec3& p_WJ2 = 
 }  // namespace
 
 TEST(Recognise, EveryChainOfTheTableHasItsForm) {
-  EXPECT_EQ(kindOf(of(test::ring())), Kind::Circle);
-  EXPECT_EQ(kindOf(of(test::ring(-1.0, 2.0))), Kind::Circle);
-  EXPECT_EQ(kindOf(of(test::ring(), Orientation::Axis)), Kind::Circle);
-  EXPECT_EQ(kindOf(of(test::ball())), Kind::Sphere);
-  EXPECT_EQ(kindOf(of(test::ball(), Orientation::Axis)), Kind::Sphere);
-  EXPECT_EQ(kindOf(of(test::tube())), Kind::Cylinder);
-  EXPECT_EQ(kindOf(of(test::tube(), Orientation::Axis)), Kind::Cylinder);
+  EXPECT_EQ(kindOf(of(test::ring())), ClosedFormKind::Circle);
+  EXPECT_EQ(kindOf(of(test::ring(-1.0, 2.0))), ClosedFormKind::Circle);
+  EXPECT_EQ(kindOf(of(test::ring(), Orientation::Axis)), ClosedFormKind::Circle);
+  EXPECT_EQ(kindOf(of(test::ball())), ClosedFormKind::Sphere);
+  EXPECT_EQ(kindOf(of(test::ball(), Orientation::Axis)), ClosedFormKind::Sphere);
+  EXPECT_EQ(kindOf(of(test::tube())), ClosedFormKind::Cylinder);
+  EXPECT_EQ(kindOf(of(test::tube(), Orientation::Axis)), ClosedFormKind::Cylinder);
   const Vec3 z_W = Vec3::UnitZ();
   const chain::Chain slides_first =
       test::chainOf({sliding(-z_W, -0.1, 0.1), turning(z_W, Vec3::Zero())}, tipAt({0.05, 0, 0}));
-  EXPECT_EQ(kindOf(of(slides_first)), Kind::Cylinder);
+  EXPECT_EQ(kindOf(of(slides_first)), ClosedFormKind::Cylinder);
   for (const Orientation orientation : test::kOrientations) {  // sliding joints do not turn the tip
-    EXPECT_EQ(kindOf(of(test::chainOf({sliding({1, 2, 3})}, tipAt(Vec3::Zero())), orientation)), Kind::Line);
+    EXPECT_EQ(kindOf(of(test::chainOf({sliding({1, 2, 3})}, tipAt(Vec3::Zero())), orientation)), ClosedFormKind::Line);
     EXPECT_EQ(kindOf(of(test::chainOf({sliding({1, 0, 1}), sliding({-1, 5, 1})}, tipAt(Vec3::Zero())), orientation)),
-              Kind::Plane);
+              ClosedFormKind::Plane);
   }
 }
 
 TEST(Recognise, ASphereIsThereWhereverItsCentreIs) {
   // Axis 2 crosses axis 1 above joint 1's own point.
-  EXPECT_EQ(kindOf(of(twoTurns(Vec3::UnitZ(), Vec3::UnitY(), {0, 0.02, 0.03}, {0.04, 0, 0.07}))), Kind::Sphere);
+  EXPECT_EQ(kindOf(of(twoTurns(Vec3::UnitZ(), Vec3::UnitY(), {0, 0.02, 0.03}, {0.04, 0, 0.07}))),
+            ClosedFormKind::Sphere);
 }
 
-TEST(Recognise, WhatTheFormsDoNotKnowIsLeftToTheSolver) {
+TEST(Recognise, LeavesOtherFormsToTheSolver) {
   const Vec3 x_W = Vec3::UnitX(), y_W = Vec3::UnitY(), z_W = Vec3::UnitZ();
   const auto none = [](Wanted wanted) { return !kindOf(std::move(wanted)).has_value(); };
   EXPECT_TRUE(none(of(test::ring(), Orientation::Angle)));

@@ -50,7 +50,7 @@ TEST(Cache, GivesBackWhatWasPut) {
   EXPECT_EQ(std::distance(fs::directory_iterator(cache.folder()), {}), 1);  // nothing is left beside it
 }
 
-TEST(Cache, WhatIsDamagedIsNotThereAndIsReplaced) {
+TEST(Cache, ReplacesADamagedEntry) {
   const test::ScratchFolder folder;
   const Cache cache(folder.path());
   const Bytes bytes = someBytes(300, test::Seed{1});

@@ -110,7 +110,7 @@ bool hasHalves(const Cache& cache) {
   return std::any_of(begin(files), end(files), [](const auto& file) { return file.path().extension() != ".mesh"; });
 }
 
-TEST(LoadMesh, ThatIsCancelledEndsSoonAndKeepsNothingHalf) {
+TEST(LoadMesh, EndsSoonWhenCancelledAndKeepsNothing) {
   const test::ScratchFolder folder;
   const std::string path = folder.write("m.ply", test::plyBinary(test::ball(1.0F, 7)));  // 131,072 faces
   double latest_s = 0.0;
@@ -145,7 +145,7 @@ TEST(LoadMesh, AFileThatIsWrittenMeanwhileIsNotKept) {
   EXPECT_EQ(loaded.problems()[0].sentence, "The file changed while it was being read. Open it again.");
 }
 
-TEST(SurfaceBytes, ThatAreDamagedAreNoneOrWhole) {
+TEST(SurfaceBytes, RefusesDamagedBytesOrReadsThemWhole) {
   const test::ScratchFolder folder;
   const Result<Loaded> loaded = loadMesh(folder.write("m.obj", test::obj(test::cube(1.0F))), {}, Cache("/dev/null"));
   const std::vector<std::byte> bytes = mesh::surfaceBytes(*loaded.value().surface);

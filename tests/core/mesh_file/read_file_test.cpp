@@ -99,7 +99,7 @@ TEST(ReadFile, TheWordsThatEndMayBeTwo) {  // "end solid", as some programs writ
   expectSame(readOrFail(folder, "m.stl", content).triangles, test::cube(1.0F), "two words");
 }
 
-TEST(ReadFile, WhatIsNotReadIsPassedOver) {
+TEST(ReadFile, SkipsSectionsThatItDoesNotRead) {
   const test::ScratchFolder folder;
   mesh::Triangles meant;
   meant.p_MV = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -146,7 +146,7 @@ TEST(ReadFile, PolygonsAreCutWithinThemselves) {
   EXPECT_NEAR(test::areaOf(cut.triangles), 10 * 0.5 * 2.0 * 0.5 * std::sin(0.628318530717958648), 1e-5);  // 6 decimals
 }
 
-TEST(ReadFile, WhatIsNoFaceIsLeftOutAndCounted) {
+TEST(ReadFile, LeavesOutAndCountsWhatIsNoFace) {
   const test::ScratchFolder folder;
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e999 0 0\nv 1.#QNAN 0 0\nv 1e-999 0 1\n";
   const RawMesh raw = readOrFail(
@@ -298,7 +298,7 @@ TEST(ReadFile, ABinaryStlIsReadByItsLengthOrThatOfItsAttributes) {
     EXPECT_EQ(problemOf(folder, "m.stl", content), "The file is damaged: its length does not fit its faces.");
 }
 
-TEST(ReadFile, WhatIsNoFileIsSaid) {
+TEST(ReadFile, RefusesAPathThatIsNoFile) {
   const test::ScratchFolder folder;
   EXPECT_EQ(readFile(folder.path()).problems()[0].sentence, "This is a folder, not a mesh file.");
   EXPECT_EQ(readFile(folder.path() + "/none.stl").problems()[0].sentence,

@@ -51,12 +51,12 @@ TEST(ReaderProcess, SaysASentenceWithItsPatternsSoThatTheWindowCanSayItInItsLang
   EXPECT_EQ(states.places()[1], "12 faces");
 }
 
-TEST(ReaderProcess, ThatCrashesIsASentence) {
+TEST(ReaderProcess, ReportsACrashInASentence) {
   EXPECT_EQ(InPlaceOfTheReader("kill -SEGV $$").problem(),
             "The file is damaged: the reader program crashed (signal 11).");
 }
 
-TEST(ReaderProcess, ThatHangsIsEndedWithinASecond) {
+TEST(ReaderProcess, EndsAReaderThatHangsWithinASecond) {
   InPlaceOfTheReader reader("while :; do :; done");
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(
@@ -67,19 +67,19 @@ TEST(ReaderProcess, ThatHangsIsEndedWithinASecond) {
   EXPECT_LT(secondsSince(start), 60.0);
 }
 
-TEST(ReaderProcess, ThatFloodsIsEnded) {
+TEST(ReaderProcess, EndsAReaderThatWritesTooMuch) {
   EXPECT_EQ(InPlaceOfTheReader("exec cat /dev/zero").problem(),
             "The file is damaged: it declares more faces than a file of its size can hold.");
 }
 
-TEST(ReaderProcess, ThatLiesIsNotBelieved) {
+TEST(ReaderProcess, RefusesAnAnswerThatIsNoMesh) {
   const std::string lie = "The file is damaged: the reader program could not make a mesh of it.";
   EXPECT_EQ(InPlaceOfTheReader("exit 0").problem(), lie);
   EXPECT_EQ(InPlaceOfTheReader("echo hello").problem(), lie);
   EXPECT_EQ(InPlaceOfTheReader("exit 3").problem(), "The file cannot be read: the reader program exited with 3.");
 }
 
-TEST(ReaderProcess, ThatIsNotThereIsSaid) {
+TEST(ReaderProcess, NamesAReaderThatIsMissing) {
   ::setenv("UNDERACT_MESH_READER", "/dev/null/nowhere/reader", 1);
   const test::ScratchFolder folder;
   const Result<RawMesh> raw = readFile(folder.write("m.obj", test::obj(test::cube(1.0F))));

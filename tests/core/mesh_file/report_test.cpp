@@ -21,7 +21,7 @@ Facts closedFacts() {
 
 const std::string kClosed = "The mesh is closed: it can be felt from both sides, or as a wall from outside or inside.";
 
-TEST(MeshReport, OfASoundMeshIsOneSentence) {
+TEST(MeshReport, SaysOneSentenceOfASoundMesh) {
   EXPECT_EQ(reportOf(closedFacts(), 1.0), Sentences{kClosed});
   EXPECT_TRUE(allowsWalls(closedFacts()));
 }
@@ -163,7 +163,7 @@ TEST(Units, AreNotAskedForWhereItIsPlausible) {
   EXPECT_TRUE(implausible(2000.1));
 }
 
-TEST(Units, ThatNoneFitsIsSaid) {
+TEST(Units, ReportsThatNoUnitFits) {
   EXPECT_EQ(implausible(1e-6)->sentence,
             "Read as millimetres, the mesh is 0.000001 mm long. That is too small to feel: state a larger scale.");
   EXPECT_TRUE(implausible(1e12)->units.empty());

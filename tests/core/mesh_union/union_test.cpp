@@ -123,7 +123,7 @@ TEST(Union, OfPartsThatShareCornersIsClosed) {  // as a reader leaves them that 
   EXPECT_NEAR(volumeOf(made), 2000.0, 1e-6);
 }
 
-TEST(Union, OfAnOpenMeshIsNone) {
+TEST(Union, RefusesAnOpenMesh) {
   Triangles open = minCase();
   open.faces.pop_back();
   united(open, Outcome::Open);

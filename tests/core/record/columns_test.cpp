@@ -76,13 +76,13 @@ double numberOf(const Block& block, const Column& wanted, std::size_t part) {
       return static_cast<double>(number);
     };
     switch (column.kind) {
-      case Kind::Byte:
+      case NumberKind::Byte:
         return read(std::uint8_t{});
-      case Kind::Unsigned:
+      case NumberKind::Unsigned:
         return read(std::uint32_t{});
-      case Kind::Integer:
+      case NumberKind::Integer:
         return read(std::int64_t{});
-      case Kind::Real:
+      case NumberKind::Real:
         return read(0.0);
     }
   }

@@ -114,8 +114,8 @@ TEST(FaultFile, ARowHasAFieldForEachColumnAndNumbersReadBackToTheSameDouble) {
   EXPECT_EQ(column(fault, 1, "tick").number, 4321.0);
   EXPECT_EQ(column(fault, 0, "force_asked_x_N").number, 1.0 / 3.0);
   EXPECT_EQ(column(fault, 0, "force_asked_y_N").number, -2.2250738585072014e-308);
-  EXPECT_EQ(column(fault, 0, "force_asked_z_N").kind, json::Kind::Null);
-  EXPECT_EQ(column(fault, 0, "target_x_mm").kind, json::Kind::Null);
+  EXPECT_EQ(column(fault, 0, "force_asked_z_N").kind, json::JsonKind::Null);
+  EXPECT_EQ(column(fault, 0, "target_x_mm").kind, json::JsonKind::Null);
   EXPECT_EQ(column(fault, 0, "fault").text, "none");
   EXPECT_EQ(column(fault, 1, "fault").text, "too_fast");
 }

@@ -118,7 +118,7 @@ TEST(FitTouches, AMirroredSetIsFittedByATurnAndNotByAMirror) {
   EXPECT_GT(fit.rms_m, 0.01);
 }
 
-TEST(FitTouches, WhatSaysNothingAboutATurnIsRefused) {
+TEST(FitTouches, RefusesTouchesThatDetermineNoRotation) {
   const Pose X_DW = standing(0.4);
   EXPECT_TRUE(isRefused(touched({{0, 0, 0}, {0.1, 0, 0}}, X_DW), "3 to 8"));
   EXPECT_TRUE(isRefused(std::vector<Touch>(9), "3 to 8"));

@@ -70,7 +70,7 @@ TEST(RegistrationFile, ByHandItNeedsNeitherPoseNorProgram) {
   EXPECT_EQ(read.value().touches[2].spread_m, 0.2e-3);
 }
 
-TEST(RegistrationFile, WhatIsWrongIsSaidWithItsPlace) {
+TEST(RegistrationFile, NamesEachErrorWithItsPlace) {
   expectProblem("[]", "", "an object");
   expectProblem(R"({"underact_registration": 2, "arm": "a", "date": "d", "marks": )" + kMarks + "}",
                 "underact_registration", "version 1");
@@ -159,7 +159,7 @@ TEST(Store, AFileOfAnotherArmAndOneThatIsDamagedAreSaid) {
   EXPECT_FALSE(loadRegistration("wooden:0042", scratch.path()));
 }
 
-TEST(Store, WhatCannotBeWrittenIsSaid) {
+TEST(Store, ReportsWhatItCannotWrite) {
   EXPECT_FALSE(saveRegistration(sample(1), "/proc/nowhere").empty());
 }
 

@@ -43,7 +43,7 @@ TEST(Clamp, LeavesWhatIsWithinAloneToTheLastBit) {
   }
 }
 
-TEST(Clamp, WhatIsNotFiniteIsZero) {
+TEST(Clamp, SendsZeroForAForceThatIsNotFinite) {
   for (const double bad : {kNotANumber, kInfinity, -kInfinity}) {
     EXPECT_EQ(clampForce({bad, 0, 0}, 0.88), kZero);
     EXPECT_EQ(clampForce({0, bad, 0}, 0.88), kZero);

@@ -69,7 +69,7 @@ std::vector<Description> othersThan(const Description& scene) {
     with_shape(*mesh, [](Mesh& one) { one.loaded_checksum += "0"; });
   }
   if (const auto* const curve = std::get_if<Curve>(&shape)) {
-    with_shape(*curve, [](Curve& one) { one.kind = curve::Kind::Polyline; });
+    with_shape(*curve, [](Curve& one) { one.kind = curve::CurveKind::Polyline; });
     with_shape(*curve, [](Curve& one) { one.closed = !one.closed; });
     with_shape(*curve, [](Curve& one) { one.guide = CurveGuidance{0.5, 20.0, 5.0}; });
     with_shape(*curve, [](Curve& one) { one.X_WM(2, 3) += 1.0; });

@@ -64,7 +64,7 @@ TEST(SceneNotes, ARotationOfFourDecimalsIsTakenAndNoted) {
   EXPECT_EQ(notes[0].place.line, 2);
 }
 
-TEST(MeshScene, WhatIsLeftOutIsUsual) {
+TEST(MeshScene, TakesTheDefaultOfEachAbsentKey) {
   const Constraint constraint =
       sceneOf(R"({"type": "mesh", "file": "a.stl", "friction": {"static": 0.4}})").constraints.at(0);
   const Mesh& mesh = std::get<Mesh>(constraint.shape);
@@ -75,7 +75,7 @@ TEST(MeshScene, WhatIsLeftOutIsUsual) {
   EXPECT_EQ(constraint.friction->dynamic_share, 0.4);
 }
 
-TEST(MeshScene, WhatCannotBeIsSaidWithItsPlace) {
+TEST(MeshScene, NamesEachInvalidKeyWithItsPlace) {
   EXPECT_NE(firstProblemOf(R"({"type": "mesh"})").find("The key \"file\" is missing; a mesh needs it."),
             std::string::npos);
   EXPECT_NE(firstProblemOf(R"({"type": "mesh", "file": ""})").find("A mesh needs the name of its file."),
@@ -154,7 +154,7 @@ TEST(CurveScene, IsReadWholeAndWrittenBack) {
       R"({"type": "curve", "file": "a.txt", "scale_mm_per_unit": 2, "kind": "polyline", "closed": true, "search": "global",
           "guide": {"speed_mm_per_s": -30, "t": 0.25, "lead_mm": 5}, "friction": {"static": 0.2}})");
   const Curve& curve = std::get<Curve>(scene.constraints.at(0).shape);
-  EXPECT_EQ(curve.kind, curve::Kind::Polyline);
+  EXPECT_EQ(curve.kind, curve::CurveKind::Polyline);
   EXPECT_TRUE(curve.closed);
   EXPECT_EQ(curve.search, Search::Global);
   EXPECT_EQ(curve.guide->speed_mm_per_s, -30.0);
@@ -165,7 +165,7 @@ TEST(CurveScene, IsReadWholeAndWrittenBack) {
   EXPECT_TRUE(isSame(scene, again.value())) << writeScene(scene);
 }
 
-TEST(CurveScene, WhatCannotBeIsSaidWithItsPlace) {
+TEST(CurveScene, NamesEachInvalidKeyWithItsPlace) {
   const auto guide = [](const std::string& text) {
     return firstProblemOf(R"({"type": "curve", "file": "a", "guide": )" + text + "}");
   };
@@ -212,7 +212,7 @@ TEST(CurveScene, AnEditThatMovesNothingKeepsTheCurve) {
     change();
     return made() != first;
   };
-  EXPECT_TRUE(changed([&] { curve.kind = curve::Kind::Polyline; }));
+  EXPECT_TRUE(changed([&] { curve.kind = curve::CurveKind::Polyline; }));
   EXPECT_TRUE(changed([&] { curve.closed = true; }));
   EXPECT_TRUE(changed([&] { curve.scale_mm_per_unit = 2.0; }));
   EXPECT_TRUE(changed([&] { curve.X_WM(2, 3) = 1e-9; }));

@@ -62,7 +62,7 @@ TEST(ReadScene, TheExampleOfTheSceneReferenceIsRead) {
   EXPECT_EQ(std::get<Circle>(rim.shape).radius_mm, 40.0);
 }
 
-TEST(ReadScene, WhatIsAbsentHasTheDefaultsOfTheSceneReference) {
+TEST(ReadScene, TakesTheDocumentedDefaultOfEachAbsentKey) {
   const Description scene = readScene(sceneWith(kPoint), "").value();
   EXPECT_EQ(scene.arm, "omni-thesis");
   EXPECT_EQ(scene.about, "");
@@ -160,7 +160,7 @@ TEST(ReadScene, EveryProblemIsToldAtOnceInTheOrderOfTheFile) {
 )");
 }
 
-TEST(ReadScene, WhatASceneNeedsIsMissedAtItsStart) {
+TEST(ReadScene, NamesMissingKeysAtTheStartOfTheScene) {
   EXPECT_EQ(joined(problemsIn("\n {}")),
             "2:2: underact_scene: The key \"underact_scene\" is missing; a scene needs it.\n"
             "2:2: title: The key \"title\" is missing; a scene needs it.\n"
@@ -171,7 +171,7 @@ TEST(ReadScene, WhatASceneNeedsIsMissedAtItsStart) {
                 "constraints[0].size_mm: The key \"size_mm\" is missing; a box needs it.\n");
 }
 
-TEST(ReadScene, WhatIsNoObjectIsNoScene) {
+TEST(ReadScene, RefusesASceneThatIsNoObject) {
   EXPECT_EQ(joined(problemsIn("[]")), "1:1: : This must be an object in { }; here it is a list.\n");
   EXPECT_EQ(joined(problemsIn(" null")), "1:2: : This must be an object in { }; here it is null.\n");
 }
@@ -233,7 +233,7 @@ TEST(ReadScene, OfAnUnknownTypeTheOtherKeysAreNotJudged) {
             "2:10: constraints[0].type: The type \"torus\" is not known. Known types: " + allTypes("and") + ".\n");
 }
 
-TEST(ReadScene, WhatThisVersionDoesNotHaveIsSaidHonestly) {
+TEST(ReadScene, NamesWhatThisVersionDoesNotHave) {
   EXPECT_EQ(problemOf(R"({"type": "point", "position_mm": [0, 0, 0], "influence": {"t": 0.5}})"),
             "2:45: constraints[0].influence: A point has no influence; only a circle, a cylinder and a sphere have. "
             "Remove it.\n");
@@ -398,7 +398,7 @@ TEST(ReadScene, AnInfluenceIsReadWithItsDefaults) {
   EXPECT_EQ(read.value().constraints[0].influence, (Influence{0.25, StylusAxis::MinusZ, 5.0}));
 }
 
-TEST(ReadScene, WhatIsWrongWithAnInfluenceIsSaid) {
+TEST(ReadScene, NamesEachErrorOfAnInfluence) {
   const auto problem = [](const std::string& rest) { return problemOf(kRing + rest + "}"); };
   EXPECT_NE(problem(R"("influence": {})").find("influence.t: The key \"t\" is missing"), std::string::npos);
   EXPECT_NE(problem(R"("influence": {"t": 1.5})").find("from 0 (orientation only) to 1"), std::string::npos);
@@ -466,7 +466,7 @@ TEST(ReadScene, OfVeryManyConstraintsOrJointsOnlyTheFirstAreRead) {
   EXPECT_NE(of_robot[0].find("joints: A virtual robot has 1 to 8 joints; this one has 1000."), std::string::npos);
 }
 
-TEST(ReadScene, WhatIsWrongWithAVirtualManipulatorIsSaid) {
+TEST(ReadScene, NamesEachErrorOfAVirtualManipulator) {
   const auto expectSentence = [](const std::string& constraint, const std::string& part) {
     const std::string all = joined(problemsIn(test::sceneWith(constraint)));
     EXPECT_NE(all.find(part), std::string::npos) << constraint << "\n" << all;

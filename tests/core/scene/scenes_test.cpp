@@ -72,8 +72,8 @@ TEST(ShippedScenes, TheRobotsAreWhatTheirTextsSay) {
   const auto compiled = [](const std::string& name, std::size_t index = 0) {
     return std::get<manipulator::Manipulator>(compile(shipped(name)).value().entries.at(index).constraint.goal);
   };
-  EXPECT_EQ(compiled("18_sphere_of_two_joints").closed->kind, manipulator::Kind::Sphere);
-  EXPECT_EQ(compiled("19_four_bar", 1).closed->kind, manipulator::Kind::Circle);
+  EXPECT_EQ(compiled("18_sphere_of_two_joints").closed->kind, manipulator::ClosedFormKind::Sphere);
+  EXPECT_EQ(compiled("19_four_bar", 1).closed->kind, manipulator::ClosedFormKind::Circle);
   EXPECT_EQ(robot("20_scara").joints.size(), 4u);
   EXPECT_EQ(robot("21_puma_560").joints.size(), 6u);
   // The small arm reaches a third of the real one's lengths from its shoulder.

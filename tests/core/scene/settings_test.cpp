@@ -54,7 +54,7 @@ const json::Value* inJson(const json::Value& root, const std::string& path) {
     const std::size_t end = std::min(path.find('/', from), path.size());
     const std::string step = path.substr(from, end - from);
     from = end + 1;
-    if (at->kind == json::Kind::Array)
+    if (at->kind == json::JsonKind::Array)
       at = std::stoul(step) < at->items.size() ? &at->items[std::stoul(step)] : nullptr;
     else
       at = at->find(step);
@@ -157,10 +157,10 @@ TEST_F(EverySetting, StandsInTheFileWhereItsPathSays) {
       return;
     }
     const std::string text = fileTextOf(value);
-    const std::string written = there->kind == json::Kind::Number   ? json::numberText(there->number)
-                                : there->kind == json::Kind::Bool   ? (there->boolean ? "true" : "false")
-                                : there->kind == json::Kind::String ? json::quotedText(there->text)
-                                                                    : text;
+    const std::string written = there->kind == json::JsonKind::Number   ? json::numberText(there->number)
+                                : there->kind == json::JsonKind::Bool   ? (there->boolean ? "true" : "false")
+                                : there->kind == json::JsonKind::String ? json::quotedText(there->text)
+                                                                        : text;
     EXPECT_EQ(written, text);
     if (!check(edited.value()).empty()) return;
     const Result<Description> read = readScene(writeScene(edited.value()), "");
@@ -226,7 +226,7 @@ TEST(Setting, IsFoundByItsPathAndByItsPattern) {
   EXPECT_EQ(everywhere("title"), "");
 }
 
-TEST(Setting, ThatIsNotThereIsSaidSo) {
+TEST(Setting, NamesASettingThatDoesNotExist) {
   const Description scene = readScene(kEverything, "").value();
   const auto wrong = [&](const std::string& path, const std::string& text) {
     return std::string(withText(scene, path, text).problems().front().sentence);
@@ -257,7 +257,7 @@ TEST(Setting, TextsAreThoseOfFiles) {
   EXPECT_EQ(set("/constraints/1/influence/t", "none", "/constraints/1/influence/blend_deg"), "null");
 }
 
-TEST(Setting, OfWhatIsNotThereMakesItWithTheRestAsUsual) {
+TEST(Setting, MakesAnAbsentPartWithDefaults) {
   const Description scene =
       readScene(test::sceneWith(R"({"type": "line", "point_mm": [0, 0, 0], "direction": [1, 0, 0]})"), "").value();
   const Description rough = withValue(scene, "/constraints/0/friction/static", 0.4).value();
@@ -302,8 +302,8 @@ std::string defaultTextOf(const SettingOf<Object>& row) {
 }
 
 std::string schemaText(const json::Value& value) {
-  if (value.kind == json::Kind::String) return json::quotedText(value.text);
-  if (value.kind == json::Kind::Bool) return value.boolean ? "true" : "false";
+  if (value.kind == json::JsonKind::String) return json::quotedText(value.text);
+  if (value.kind == json::JsonKind::Bool) return value.boolean ? "true" : "false";
   return json::numberText(value.number);
 }
 

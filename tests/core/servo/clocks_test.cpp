@@ -88,7 +88,7 @@ struct SleepRig {
   ScriptedPort::Seen seen;
   ScriptedPort port{seen, 20'000};
   std::int64_t at_ns = system::monotonicNow_ns();
-  Loop loop{port, kTick_ns, 100 * kTick_ns, kSleepy};
+  ServoLoop loop{port, kTick_ns, 100 * kTick_ns, kSleepy};
 };
 
 }  // namespace

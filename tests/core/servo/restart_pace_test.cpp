@@ -18,7 +18,7 @@ TEST(RestartPace, TheFirstComesAlmostAtOnceAndEachNextTwiceAsLate) {
   EXPECT_EQ(pace.next_ns(7 * kPaceSecond_ns), 7 * kPaceSecond_ns + 80'000'000);
 }
 
-TEST(RestartPace, WhatDiesAtOnceIsStartedNoMoreThanSixTimesInAnyMinute) {
+TEST(RestartPace, StartsAProgramThatDiesAtOnceAtMostSixTimesAMinute) {
   RestartPace pace;
   std::vector<std::int64_t> starts_ns;
   for (std::int64_t now_ns = 0; now_ns < 3600 * kPaceSecond_ns; now_ns = starts_ns.back() + 1)
@@ -28,7 +28,7 @@ TEST(RestartPace, WhatDiesAtOnceIsStartedNoMoreThanSixTimesInAnyMinute) {
     ASSERT_GE(starts_ns[at] - starts_ns[at - RestartPace::kMax], RestartPace::kWindow_ns) << at;
 }
 
-TEST(RestartPace, WhatLastedAMinuteIsStartedAtOnceAgain) {
+TEST(RestartPace, StartsAProgramThatLastedAMinuteAtOnce) {
   RestartPace pace;
   for (int time = 0; time < 5; ++time) (void)pace.next_ns(time * kPaceSecond_ns);
   EXPECT_EQ(pace.next_ns(100 * kPaceSecond_ns), 100 * kPaceSecond_ns + RestartPace::kFirst_ns);

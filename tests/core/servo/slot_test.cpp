@@ -17,7 +17,7 @@ TEST(Slot, GivesTheNewestValueOnceAndAgain) {
   EXPECT_EQ(slot.latest(), 2);
 }
 
-TEST(Slot, WhatIsNotPublishedIsNotSeen) {
+TEST(Slot, ShowsOnlyWhatWasPublished) {
   Slot<int> slot;
   slot.back() = 1;
   slot.publish();

@@ -256,7 +256,7 @@ TEST(ServoThread, AnArmThatHoldsTheTickUpIsTheCauseAndNoBurstMakesUpForIt) {
 TEST(ServoThread, RestsWithoutATickAtZeroForceUntilItIsToldToGoOn) {
   ScriptedPort::Seen seen;
   ScriptedPort port(seen);
-  Loop loop(port, 1'000'000, 0);
+  ServoLoop loop(port, 1'000'000, 0);
   Thread thread(loop, 1000, kPlain);
   while (loop.beats() < 5) std::this_thread::yield();
   thread.rest();

@@ -72,7 +72,7 @@ TEST(HandFile, EveryProblemIsNamedAtOnceWithItsPlace) {
               "5:31 path[2].R_WT", "6:11 path[3].t_s", "6:28 path[3].p_mm[1]", "6:39 path[4]", "7:2 speed"}));
 }
 
-TEST(HandFile, WhatIsMissingIsNamed) {
+TEST(HandFile, NamesMissingKeys) {
   EXPECT_EQ(placesIn("{}"), (Places{"1:1 underact_hand", "1:1 path"}));
   EXPECT_EQ(placesIn(R"({"underact_hand": 1, "path": []})"), (Places{"1:30 path"}));
   EXPECT_EQ(placesIn("[]"), (Places{"1:1 "}));
@@ -95,7 +95,7 @@ TEST(HandFile, ARotationWrittenWithSevenDigitsIsMadeWhole) {
   EXPECT_NEAR(R_WT(0, 0), 0.8660254, 1e-7);
 }
 
-TEST(HandFile, WhatIsNoJsonOrNoFileSaysSo) {
+TEST(HandFile, RefusesAMissingFileAndAFileThatIsNoJson) {
   EXPECT_EQ(readHand("{", "hand.json").problems().size(), 1U);
   EXPECT_EQ(readHandFile("/no/such/hand.json").problems().front().place.file, "/no/such/hand.json");
   EXPECT_EQ(readHandFile(UNDERACT_TEST_DATA).problems().size(), 1U);  // a folder

@@ -356,7 +356,7 @@ TEST(Plant, TheWristTurnsWhenTheHandTurns) {
   EXPECT_TRUE(isInside(plant, state));
 }
 
-TEST(Plant, WhatIsNoNumberIsNoForceAndAWishToStay) {
+TEST(Plant, TakesANaNAsNoForceAndAHandAtRest) {
   const Plant plant = plantOf("ideal");
   PlantState moving = restingState(plant, kMiddle);
   moving.v_WT = Vec3(0.1, 0.0, -0.1);

@@ -75,7 +75,7 @@ TEST(SceneTrialResult, WhereNothingHoldsThereIsNoLimit) {
   }
 }
 
-TEST(SceneTrialResult, WhatCannotBeAskedIsRefused) {
+TEST(SceneTrialResult, RefusesAWallAndAnUnnamedOneOfTwo) {
   EXPECT_FALSE(tryScene(wallOf("09_wall.json"), 100.0));      // a wall never pulls
   EXPECT_FALSE(tryScene(wallOf("19_four_bar.json"), 100.0));  // two, and none named
 }

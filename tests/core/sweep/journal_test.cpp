@@ -85,7 +85,7 @@ TEST_F(JournalFile, ABitThatFlippedCostsItsLineAlone) {
   }
 }
 
-TEST_F(JournalFile, OfAnotherSweepIsRefusedAndStays) {
+TEST_F(JournalFile, RefusesTheJournalOfAnotherSweepAndLeavesItUnchanged) {
   add(someSweep({}, 2), {0, 1});
   const std::string before = text();
   EXPECT_EQ(refusal(sweep_), std::string("This journal is of another sweep (kind some, seed 2, version ") + kVersion +
@@ -105,7 +105,7 @@ TEST_F(JournalFile, WithLinesOfAnotherSweepLeavesThemOut) {
   EXPECT_EQ(opened(sweep_).rows().size(), 1U);
 }
 
-TEST_F(JournalFile, ThatIsSomethingElseIsRefusedAndStays) {
+TEST_F(JournalFile, RefusesAForeignFileAndLeavesItUnchanged) {
   writeTo(path_, "my notes\nand more\n");
   EXPECT_NE(refusal(sweep_).find("an unknown sweep"), std::string::npos);
   EXPECT_EQ(text(), "my notes\nand more\n");
@@ -135,7 +135,7 @@ TEST_F(JournalFile, IsWrittenByOneProgramAtATime) {
   opened(sweep_);
 }
 
-TEST_F(JournalFile, ThatCannotBeOpenedIsToldWithTheReason) {
+TEST_F(JournalFile, NamesTheReasonThatItCannotBeOpened) {
   result_ = "/dev/null/r.csv";
   EXPECT_NE(refusal(sweep_).find("Not a directory"), std::string::npos);
 }

@@ -161,7 +161,7 @@ TEST_F(Led, EndsWhenACellFailsAndKeepsTheOthers) {
 TEST_F(Led, EndsWhenACellFailsOnAnotherRank) {
   const Sweep sweep = someSweep({{"cells", {"3000"}}, {"wait_us", {"3000"}}});
   Sweep bad = sweep;
-  bad.cells.run = [](std::size_t, std::uint64_t) -> Result<Row> { return Problems{{"It is bad here."}}; };
+  bad.cells.run = [](std::size_t, std::uint64_t) -> Result<SweepRow> { return Problems{{"It is bad here."}}; };
   Journal kept = journal(sweep);
   Ranks ranks(2);
   ranks.start(1, bad);

@@ -31,7 +31,7 @@ TEST(Letters, OfTheLeaderAreReadAsTheyWereWritten) {
   EXPECT_EQ(order->cells, (std::vector<std::size_t>{4, 0, 1'000'000}));
 }
 
-TEST(Letters, ThatAreNoneAreSeen) {
+TEST(Letters, RefusesWhatIsNoLetter) {
   for (const char* text : {"", "hallo\n", "done", "done\nx\n", "done\n1\nx y\n", "done\n-1\n", "stop"})
     EXPECT_FALSE(readReport(text)) << text;
   for (const char* text : {"", "go", "cells\nx", "cells\n-1", "cells\n1\n2x", "bye\n"})

@@ -14,7 +14,7 @@ TEST(Row, HasNumbersThatReadBackToTheSameDouble) {
   std::uint64_t state = 3;
   for (int draw = 0; draw < 2000; ++draw) {
     const double value = std::ldexp(nextShare(state) - 0.5, static_cast<int>(nextBits(state) % 2000U) - 1000);
-    Row row;
+    SweepRow row;
     row.add(value);
     EXPECT_EQ(std::strtod(row.text().c_str(), nullptr), value);
   }
@@ -22,7 +22,7 @@ TEST(Row, HasNumbersThatReadBackToTheSameDouble) {
 
 TEST(Row, SaysWhatIsNotFiniteSoThatItReadsBack) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
-  Row row;
+  SweepRow row;
   row.add(kInf);
   row.add(-kInf);
   row.add(std::nan(""));
@@ -30,7 +30,7 @@ TEST(Row, SaysWhatIsNotFiniteSoThatItReadsBack) {
 }
 
 TEST(Row, QuotesWhatWouldBeReadAsSomethingElse) {
-  Row row;
+  SweepRow row;
   for (const char* text : {"plain", "a,b", "a \"b\"", " a", "a ", "two\nlines\r", ""}) row.add(text);
   row.add(7);
   EXPECT_EQ(row.text(), "plain,\"a,b\",\"a \"\"b\"\"\",\" a\",\"a \",\"two lines \",,7");

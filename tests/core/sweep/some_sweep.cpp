@@ -23,13 +23,13 @@ Result<sweep::Cells> make(sweep::Options& options) {
   if (!options.problems().empty()) return options.problems();
   cells.columns = {"half", "seed_again", "word"};
   cells.files = {{"a file", options.text("content")}};
-  cells.run = [=](std::size_t index, std::uint64_t seed) -> Result<sweep::Row> {
+  cells.run = [=](std::size_t index, std::uint64_t seed) -> Result<sweep::SweepRow> {
     ++run;
     std::this_thread::sleep_for(std::chrono::microseconds(wait_us));
     const auto number = static_cast<std::int64_t>(index);
     if (number == bad) return Problems{{"It is bad."}};
     if (number == thrown) throw std::runtime_error("it was thrown");
-    sweep::Row row;
+    sweep::SweepRow row;
     row.add(0.5 * static_cast<double>(index));
     row.add(seed);
     if (number != few) row.add(index % 2 == 0 ? "even" : "odd, \"and\" more");
@@ -62,7 +62,7 @@ SmallFiles::~SmallFiles() {
   std::signal(SIGXFSZ, before_signal_);
 }
 
-sweep::Kind someKind() {
+sweep::SweepKind someKind() {
   return {"some",
           "What is half of it?",
           {{"cells", "How many", {"20"}},

@@ -36,7 +36,7 @@ class SmallFiles {
 
 /// A small kind: `cells` of them, each with its number's half, its seed and a word. The cell `bad` says a problem, the
 /// cell `thrown` throws, the cell `short` has a field too few. `wait_us`: how long each takes.
-sweep::Kind someKind();
+sweep::SweepKind someKind();
 sweep::Sweep someSweep(const sweep::Options::Values& given = {}, std::uint64_t seed = 1);
 
 /// The rows of all cells, made one after the other.

@@ -38,7 +38,7 @@ TEST(CellSeeds, AreTheSameForever) {  // a result that cannot be made again is n
 }
 
 TEST(Fingerprint, ChangesWithAllThatTheResultDependsOn) {
-  Kind other_key = someKind(), other_option = someKind();
+  SweepKind other_key = someKind(), other_option = someKind();
   other_key.key = "other";
   other_option.options.push_back({"more", "More", {"1"}});
   const std::set<std::string> fingerprints{

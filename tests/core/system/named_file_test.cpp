@@ -19,7 +19,7 @@ Sentence problemOf(const std::string& path) {
   return text ? Sentence() : text.problems().at(0).sentence;
 }
 
-TEST(NamedFile, WhatIsNoRegularFileIsRefusedAtOnceWithWhatToDo) {
+TEST(NamedFile, RefusesWhatIsNoRegularFileAtOnceWithAdvice) {
   const test::Watchdog watchdog;
   const test::ScratchFolder folder;
   const std::string odd =
@@ -58,7 +58,7 @@ TEST(NamedFile, IsReadWholeAndALinkToItToo) {
   EXPECT_EQ(begin, "xxxxx");
 }
 
-TEST(NamedFile, WhatIsWrittenIntoMeanwhileIsNotTakenForWhole) {
+TEST(NamedFile, RefusesAFileThatChangesWhileItIsRead) {
   const test::ScratchFolder folder;
   const std::string path = folder.write("file", "{}");
   const Result<NamedFile> file = NamedFile::open(path, "a scene");

@@ -72,7 +72,7 @@ TEST(Process, DoesNotOutliveItsObject) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
-TEST(Process, ThatIsNotThereIsNoneAndSaysWhy) {
+TEST(Process, NamesTheReasonThatAProgramIsMissing) {
   Process none({.program = "/bin/there is no such program"});
   EXPECT_FALSE(none.runs());
   EXPECT_EQ(none.error(), ENOENT);

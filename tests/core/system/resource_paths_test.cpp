@@ -70,7 +70,7 @@ TEST(Places, AreNeverInTheFolderOneStandsIn) {
   EXPECT_EQ(searchFolders(Resource::Scenes, {}), Places{});
 }
 
-TEST(Places, OfThisBuildAreKnown) {
+TEST(Places, AreKnownForThisBuild) {
   const SearchRoots from = searchRoots();
   EXPECT_EQ(from.sources, UNDERACT_SOURCE);
   EXPECT_EQ(from.programs, UNDERACT_BINARY);

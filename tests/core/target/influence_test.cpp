@@ -75,7 +75,7 @@ TEST(Influence, MeetsTheGoldenCirclesInEveryOrientation) {
             .value();
     const Influenced target = from_rest(circle, {one.find("t")->number}, kMetrePerMillimetre * threeOf(*one.find("P")),
                                         threeOf(*one.find("stylus_z")));
-    if (one.find("Q")->kind == json::Kind::Null) {
+    if (one.find("Q")->kind == json::JsonKind::Null) {
       EXPECT_FALSE(target.is_unique);
       continue;
     }

@@ -118,7 +118,7 @@ TEST(Step, OnlyTheNearestActs) {
   EXPECT_FALSE(near.held[1].acts);
 }
 
-TEST(Step, OfEquallyNearOnesTheFirstActs) {
+TEST(Step, TakesTheFirstOfEquallyNearConstraints) {
   Hand hand({hold(kPoint, kWeak), hold(kPoint, kWeak)}, Combine::Nearest);
   EXPECT_TRUE(hand.at(kAway).held[0].acts);
   EXPECT_FALSE(hand.report().held[1].acts);

@@ -184,9 +184,9 @@ TEST(Rows, AreOfEveryOptionThatTheSceneHas) {
   plan.hands = {handNamed("tremor")};
   plan.choices = {"velocity", "inverse", "search"};
   plan.seconds = 0.5;
-  const std::vector<Row> rows = measureRows(plan, [](double) { return true; });
+  const std::vector<TradeoffRow> rows = measureRows(plan, [](double) { return true; });
   std::map<std::string, int> counts, defaults;
-  for (const Row& row : rows) {
+  for (const TradeoffRow& row : rows) {
     ++counts[row.choice];
     defaults[row.choice] += row.is_default ? 1 : 0;
   }

@@ -51,7 +51,7 @@ struct Ends {
     return got.value_or("?");
   }
 
-  Loop loop;
+  EventLoop loop;
   Listener listener{loop};
   std::optional<Connection> accepted;
   Connection client{loop};

@@ -52,7 +52,7 @@ TEST(HaplyMessages, TheFirstOneHasAllAndALaterOneMayLeaveOut) {
   EXPECT_TRUE(told.is_calibrated && told.has_power && told.is_ready);
 }
 
-TEST(HaplyMessages, OfSeveralArmsTheOneThatIsMeant) {
+TEST(HaplyMessages, TakesTheNamedOneOfSeveralArms) {
   const std::string both =
       R"({"inverse3": [{"device_id": "A", "state": {"cursor_position": {"x": 1, "y": 0, "z": 0}}},
                        {"device_id": "B", "state": {"cursor_position": {"x": 2, "y": 0, "z": 0}}}]})";
@@ -78,7 +78,7 @@ TEST(HaplyMessages, AGripWithACableHasOneButton) {
   EXPECT_EQ(told.buttons, 6U);
 }
 
-TEST(HaplyMessages, WhatIsWrongChangesNothing) {
+TEST(HaplyMessages, IgnoresInvalidMessages) {
   const Told before = toldBy(kBare);
   for (const char* const text :
        {"", "{", "7", "[]", R"({"inverse3": {}})", R"({"inverse3": [{"device_id": "A"}]})",

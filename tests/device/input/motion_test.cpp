@@ -69,7 +69,7 @@ TEST(HandMotion, AWayIsOddAndNeverFalls) {
   }
 }
 
-TEST(HandMotion, WhatIsNotThereOrNoNumberMovesNothing) {
+TEST(HandMotion, IgnoresAbsentAxesAndNaNs) {
   const Readings readings = axes({kNotANumber, kInfinity, 0.5});
   const auto of = [&](SourceKind kind, int plus, int minus) { return deflection({kind, plus, minus}, readings); };
   EXPECT_EQ(of(SourceKind::Axis, 0, -1), 0.0);
@@ -174,7 +174,7 @@ TEST(HandMotion, ManyTurnsStayARotationAndBeginWhereTheStylusIs) {
   EXPECT_LT((setpoint.R_WT * setpoint.R_WT.transpose() - Mat3::Identity()).norm(), 1e-12);
 }
 
-TEST(HandMotion, OfWhatIsNotFiniteNothingComes) {
+TEST(HandMotion, IgnoresReadingsThatAreNotFinite) {
   sim::HandSetpoint setpoint;
   Motion motion;
   motion.v_WT = {0.1, 0, 0};

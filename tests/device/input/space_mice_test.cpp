@@ -29,7 +29,7 @@ class SpaceMiceTest : public testing::Test {
 TEST_F(SpaceMiceTest, OneThatIsThereIsReadAndComesToRest) {
   ASSERT_TRUE(comes([&] { return isThere(); }));
   EXPECT_EQ(first().name, "SpaceNavigator");
-  EXPECT_EQ(first().kind, Kind::SpaceMouse);
+  EXPECT_EQ(first().kind, InputKind::SpaceMouse);
   EXPECT_EQ(first().button_names, (std::vector<Sentence>{"left", "right"}));
   bus_.hold({350, 0, -175}, {0, 35, 0});
   EXPECT_TRUE(comes([&] { return axis(0) == 1.0 && axis(2) == -0.5 && axis(4) == 0.1; }));

@@ -44,7 +44,7 @@ TEST(SpaceMouseReport, ButtonsAreBitsAndLeaveTheAxes) {
   EXPECT_EQ(readings.axis[2], 0.7);
 }
 
-TEST(SpaceMouseReport, WhatIsTooShortOrUnknownChangesNothing) {
+TEST(SpaceMouseReport, IgnoresReportsThatAreTooShortOrUnknown) {
   Readings readings;
   readings.axis[0] = 0.3;
   for (const Bytes& report : {Bytes{}, Bytes{1}, Bytes{1, 2, 3, 4, 5, 6}, Bytes{2, 1, 1, 1, 1, 1}, Bytes{0x17, 80},

@@ -58,7 +58,7 @@ TEST(RemoteKeys, AreMadeOnceAndForTheirUserAlone) {
   EXPECT_NE(folder.own().value().public_key, made.value().public_key);
 }
 
-TEST(RemoteKeys, ThatOthersMayReadAreNotUsed) {
+TEST(RemoteKeys, AreNotUsedWhereOthersMayReadThem) {
   const test::ScratchFolder scratch;
   const KeyFolder folder(scratch.path());
   ASSERT_TRUE(folder.own());

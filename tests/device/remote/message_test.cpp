@@ -70,7 +70,7 @@ TEST(RemoteMessage, NoPartOfOneIsOneNorOneWithMore) {
   }
 }
 
-TEST(RemoteMessage, WhatIsNoNumberOrNoFlagIsRefused) {
+TEST(RemoteMessage, RefusesNaNsAndUnknownFlags) {
   std::vector<std::uint8_t> force = bytesOf(ForceMessage{1, 1, Vec3(0.0, std::nan(""), 0.0), true});
   EXPECT_FALSE(readMessage(force));
   force = bytesOf(ForceMessage{1, 1, Vec3(0.0, kInfinity, 0.0), true});

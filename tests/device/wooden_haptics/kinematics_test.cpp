@@ -148,7 +148,7 @@ TEST(WoodenCurrents, BeyondTheCapAllAreMadeSmallerAlike) {
   }
 }
 
-TEST(WoodenCurrents, OfAForceThatIsNoNumberAreZero) {
+TEST(WoodenCurrents, AreZeroForAForceThatIsNoNumber) {
   const WoodenModel& model = *findWoodenModel("woody");
   const arm::JointAngles q_rad = arm::solvePosition(woodenGeometry(model), Vec3::Zero()).q_rad;
   for (const double bad : {kNotANumber, kInfinity, 1e308}) {

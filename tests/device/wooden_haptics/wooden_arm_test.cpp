@@ -4,7 +4,7 @@
 
 #include "core/arm/forward.h"
 #include "core/servo/host.h"
-#include "device/catalogue.h"
+#include "device/driver.h"
 #include "device/wooden_haptics/wooden.h"
 #include "tests/support/comes.h"
 #include "tests/support/hid_double.h"
@@ -148,7 +148,7 @@ TEST(WoodenArm, ThatWasNotCalibratedPushesOnlyOnceItIs) {
   EXPECT_TRUE(rig.push(Vec3(0.5, 0.0, 0.0)));
 }
 
-TEST(WoodenArm, ThatDoesNotKnowItsPostureSaysHowToTellIt) {
+TEST(WoodenArm, AsksForItsPostureWhereItIsUnknown) {
   for (const auto& [protocol, protocol_name] :
        {std::pair(1, "Unplug it, put it in its home posture"), std::pair(2, "press the calibration button")}) {
     WoodenRig rig({protocol, protocol == 1 ? 8U : 14U, {0.321, 0.0603, 0.0603}, false});
@@ -199,7 +199,7 @@ TEST(WoodenArm, ACutIsHeardAndLastsUntilTheNextForce) {
   }
 }
 
-TEST(WoodenArm, ThatFallsSilentGivesNoSampleAndSaysSo) {
+TEST(WoodenArm, GivesNoSampleWhenItFallsSilentAndReportsIt) {
   WoodenRig rig;
   ASSERT_TRUE(rig.open().empty());
   ASSERT_TRUE(comes([&] { return rig.tick(Vec3::Zero()); }));

@@ -16,7 +16,7 @@ struct Drawn {
 };
 
 /// A curve of 2 to 12 points: any, collinear, turning back, or very near to each other. At most 1e3 m out.
-Drawn drawCurve(Input& input, curve::Kind kind) {
+Drawn drawCurve(Input& input, curve::CurveKind kind) {
   const double size_m = input.number("size_m", [](Dice& dice) { return dice.power(-20, 9); });
   const std::size_t count = 2 + input.choice("points", 11);
   std::vector<Vec3> points;
@@ -50,7 +50,7 @@ Real toStraight(const curve::Curve& curve, std::int32_t piece, const Real3& p) {
 }
 
 Outcome judgePolyline(Input& input) {
-  const Drawn drawn = drawCurve(input, curve::Kind::Polyline);
+  const Drawn drawn = drawCurve(input, curve::CurveKind::Polyline);
   if (!drawn.curve) return {0.0, true};  // fewer than two different points
   if (drawn.p_WT.norm() > curve::kFarthestTip_m) return {0.0, true};
   curve::SearchState state;
@@ -112,7 +112,7 @@ Real toCubic(const Powers& cubic, const Real3& q) {
 }
 
 Outcome judgeSpline(Input& input) {
-  const Drawn drawn = drawCurve(input, curve::Kind::Spline);
+  const Drawn drawn = drawCurve(input, curve::CurveKind::Spline);
   if (!drawn.curve) return {0.0, true};
   if (drawn.p_WT.norm() > curve::kFarthestTip_m) return {0.0, true};
   curve::SearchState state;
@@ -137,7 +137,7 @@ Outcome judgeSpline(Input& input) {
 
 /// A local search from a piece: its point is on the piece and at the distance that it states, no farther than the first
 /// piece, nor than those beside the last one.
-Outcome judgeLocal(Input& input, curve::Kind kind) {
+Outcome judgeLocal(Input& input, curve::CurveKind kind) {
   const Drawn drawn = drawCurve(input, kind);
   if (!drawn.curve || drawn.p_WT.norm() > curve::kFarthestTip_m) return {0.0, true};
   const curve::Curve& curve = *drawn.curve;
@@ -150,7 +150,7 @@ Outcome judgeLocal(Input& input, curve::Kind kind) {
   const auto pieceAt = [&](std::int32_t piece) {
     return powersOf(&curve.controls_W[3 * static_cast<std::size_t>(piece)]);
   };
-  const bool is_straight = kind == curve::Kind::Polyline;
+  const bool is_straight = kind == curve::CurveKind::Polyline;
   const auto toPiece = [&](std::int32_t piece) {
     return is_straight ? toStraight(curve, piece, tip) : toCubic(pieceAt(piece), tip);
   };
@@ -175,10 +175,10 @@ Outcome judgeLocal(Input& input, curve::Kind kind) {
 }
 
 Outcome judgeLocalPolyline(Input& input) {
-  return judgeLocal(input, curve::Kind::Polyline);
+  return judgeLocal(input, curve::CurveKind::Polyline);
 }
 Outcome judgeLocalSpline(Input& input) {
-  return judgeLocal(input, curve::Kind::Spline);
+  return judgeLocal(input, curve::CurveKind::Spline);
 }
 
 constexpr std::array<Row, 4> kRows{{

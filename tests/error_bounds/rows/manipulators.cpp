@@ -127,7 +127,7 @@ Outcome judgeClosedForm(Input& input) {
   for (const double value : got.theta) {
     if (!std::isfinite(value)) return {kInfinity, false};
   }
-  const Real min = m.closed->kind == manipulator::Kind::Sphere ? minOnSphere(m, X_WT) : minEnergy(m, X_WT);
+  const Real min = m.closed->kind == manipulator::ClosedFormKind::Sphere ? minOnSphere(m, X_WT) : minEnergy(m, X_WT);
   const std::vector<Real> joints = realOf(m, got.theta);
   double worst = ulpsOf(Real(oracle::energyOf(m, X_WT, joints) - min), sizes.energy);
   for (std::size_t i = 0; i < joints.size(); ++i) {

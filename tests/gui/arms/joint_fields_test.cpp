@@ -10,7 +10,7 @@
 
 namespace underact::gui {
 
-TEST(JointFields, WhatIsTypedIsWhatIsReadInDegreesAndMillimetres) {
+TEST(JointFields, TakeTypedDegreesAndMillimetres) {
   scene::Joint joint = test::turning(Vec3::UnitZ(), {1, 2, 3});
   for (int column = 1; column < kJointFields; ++column) {
     const auto field = static_cast<JointField>(column);

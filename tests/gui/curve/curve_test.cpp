@@ -52,7 +52,7 @@ TEST(CurveDialog, TheWishIsWhatIsChosen) {
   const bool was_closed = curveOf(dialog).closed;
   closed->setChecked(!was_closed);
   EXPECT_NE(curveOf(dialog).closed, was_closed);
-  const curve::Kind kind = curveOf(dialog).kind;
+  const curve::CurveKind kind = curveOf(dialog).kind;
   auto* choice = dialog.findChild<QComboBox*>();
   choice->setCurrentIndex(1 - choice->currentIndex());
   EXPECT_NE(curveOf(dialog).kind, kind);

@@ -44,7 +44,7 @@ TEST(FeelPanel, ADragIsOneStepBackAndTheNextOneAnother) {
   EXPECT_EQ(desk.document().undoStack().count(), 2);
 }
 
-TEST(FeelPanel, WhatIsRefusedIsSaidAndTheSceneStays) {
+TEST(FeelPanel, ReportsARefusedValueAndKeepsTheScene) {
   Desk desk(feelFeature());
   FeelPanel& panel = desk.panel<FeelPanel>();
   desk.find<QCheckBox>("panel.feel.link")->setChecked(false);

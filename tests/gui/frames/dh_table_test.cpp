@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QTableWidget>
+
 #include "core/arm/model.h"
 #include "core/base/units.h"
 #include "tests/gui/desk.h"
@@ -62,10 +64,10 @@ TEST(DhTable, TheMeasuresOfARowLeadFromTheFrameBeforeItToItsOwn) {
       EXPECT_EQ(measure.axis, measure.text.startsWith("θ") || measure.text.startsWith("d") ? 2 : 0);
       if (measure.turn_rad == 0.0) {
         EXPECT_TRUE(measure.p_W.isApprox(at_W, 1e-9)) << measure.text.toStdString();
-        at_W += measure.way_W;
+        at_W += measure.to_end_W;
         continue;
       }
-      const Vec3 leg_W = Eigen::AngleAxisd(measure.turn_rad, measure.axis_W) * measure.way_W.normalized();
+      const Vec3 leg_W = Eigen::AngleAxisd(measure.turn_rad, measure.axis_W) * measure.to_end_W.normalized();
       (measure.axis == 0 ? z_W : x_W) = leg_W;
     }
     EXPECT_TRUE(at_W.isApprox(frames[row + 1].translation(), 1e-9)) << row;
@@ -73,6 +75,40 @@ TEST(DhTable, TheMeasuresOfARowLeadFromTheFrameBeforeItToItsOwn) {
     EXPECT_TRUE(x_W.isApprox(frames[row + 1].linear().col(0), 1e-9)) << row;
   }
   EXPECT_TRUE(measuresOf(table, q, 6).empty());
+}
+
+/// The texts of its cells, row by row.
+QStringList cellsOf(Desk& desk) {
+  auto* const table = desk.find<QTableWidget>("panel.dh.table");
+  QStringList cells;
+  for (int row = 0; row < table->rowCount(); ++row)
+    for (int column = 0; column < static_cast<int>(DhField::Q); ++column) cells << table->item(row, column)->text();
+  return cells;
+}
+
+QStringList cellsOf(const DhTable& table) {
+  QStringList cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    for (int field = 0; field < static_cast<int>(DhField::Q); ++field)
+      cells << shownText(table, row, static_cast<DhField>(field));
+  return cells;
+}
+
+TEST(DhPanel, TheTableOfTheScenesArmGoesWithTheSceneUntilAnotherIsChosen) {
+  Desk desk(framesFeature());
+  ASSERT_TRUE(desk.perform("dh.set", 2, QString("a"), QString("140")));
+  const QStringList typed = cellsOf(desk);
+  desk.open("04_plane");
+  EXPECT_EQ(cellsOf(desk), typed) << "the same arm: what was typed stays";
+  desk.open("30_ur5e_table");
+  EXPECT_EQ(cellsOf(desk), cellsOf(tableOf(*arm::findModel("ur5e"))));
+  desk.show();
+  desk.run(500);
+  for (int axis = 1; axis <= 3; ++axis)
+    EXPECT_EQ(desk.label(QString("panel.dh.tip.2.%1").arg(axis)).remove(QChar(0x2212)), QString("0.0"));
+  ASSERT_TRUE(desk.perform("dh.start", QString("puma-560")));
+  desk.open("02_sphere");
+  EXPECT_EQ(cellsOf(desk), cellsOf(tableOf(*arm::findModel("puma-560"))));
 }
 
 TEST(TransformPanel, OrderMattersAndIsSaidToUnlessTheStepsCommute) {

@@ -44,7 +44,7 @@ TEST(FigureList, EachFigureSaysWhatCameOfIt) {
   EXPECT_EQ(verdictOf(read.value()), QString("4 figures, 2 numbers checked, 2 failed. Figures left out: 1."));
 }
 
-TEST(FigureList, WhatIsNotThereOrNoListIsSaid) {
+TEST(FigureList, NamesAFileThatIsMissingOrNoList) {
   const QTemporaryDir folder;
   const Result<FigureList> none = readFigures(folder.path());
   ASSERT_FALSE(none);

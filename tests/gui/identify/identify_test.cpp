@@ -21,7 +21,7 @@ IdentifyParts partsOf(Desk& desk) {
 
 }  // namespace
 
-TEST(IdentifyRun, WhatKeepsItFromBeginningIsSaid) {
+TEST(IdentifyRun, NamesWhatPreventsItFromBeginning) {
   Desk closed(identifyFeature(), "");
   IdentifyRun nothing(partsOf(closed), nullptr);
   ASSERT_EQ(nothing.begin({}).size(), 1U);

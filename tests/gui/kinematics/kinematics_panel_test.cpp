@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QPushButton>
 
 #include "app/gui/kinematics/distance_bar.h"
 #include "app/gui/kinematics/sections.h"
@@ -81,6 +83,57 @@ TEST(KinematicsPanel, TheSolutionsAreCountedAndOneIsShownUntilNoneIs) {
   EXPECT_FALSE(desk.perform("solution.show", 9));
   ASSERT_TRUE(desk.perform("solution.show", 0));
   EXPECT_EQ(solutions->chosen(), 0);
+}
+
+/// What stands in the field of a joint, from 1.
+double fieldOf(Desk& desk, int joint) {
+  return desk.find<QDoubleSpinBox>(QString("panel.kinematics.joint.%1.number").arg(joint))->value();
+}
+
+TEST(KinematicsPanel, WhatIsTypedForAJointIsWhatStandsThere) {
+  Desk desk(kinematicsFeature());
+  desk.show();
+  for (const double angle_deg : {30.0, 10.0, -25.0}) {
+    for (int joint = 1; joint <= 6; ++joint) {
+      const double typed_deg = joint == 5 ? 60.0 + angle_deg : angle_deg;
+      desk.find<QDoubleSpinBox>(QString("panel.kinematics.joint.%1.number").arg(joint))->setValue(typed_deg);
+      desk.run(3000);
+      const bool stands = std::abs(fieldOf(desk, joint) - typed_deg) < 0.051;
+      const QString state = desk.label(QString("panel.kinematics.joint.%1.state").arg(joint));
+      const QString note = desk.label("panel.kinematics.joints.note");
+      EXPECT_TRUE(stands || state == "at limit" || note.contains(QString("joint %1 steps by").arg(joint)))
+          << joint << ": " << typed_deg << ", read " << fieldOf(desk, joint) << ' ' << note.toStdString();
+      EXPECT_TRUE(stands || joint == 2 || joint > 3) << joint;
+    }
+  }
+}
+
+TEST(KinematicsPanel, TheArmMovesToASolutionWhereItIsSimulatedAndElseIsToldWhyNot) {
+  Desk desk(kinematicsFeature(), "30_ur5e_table");
+  desk.show();
+  desk.run(500);
+  auto* const move = desk.window().findChild<QPushButton*>("panel.kinematics.solutions.move");
+  ASSERT_NE(move, nullptr);
+  EXPECT_FALSE(move->isEnabled()) << "none is chosen";
+  const arm::JointAngles wanted = desk.window().findChild<SolutionsSection*>()->find(3)->q;
+  ASSERT_TRUE(desk.perform("solution.show", 3));
+  ASSERT_TRUE(move->isEnabled());
+  move->click();
+  desk.run(1500);
+  const arm::JointAngles q_rad = desk.host().snapshot().report.sample.q_rad;
+  for (std::size_t joint = 0; joint < 6; ++joint)
+    EXPECT_NEAR(std::remainder(q_rad[joint] - wanted[joint], 2.0 * kPi), 0.0, 2e-3) << joint;
+  desk.perform("session.start");
+  desk.run(500);
+  EXPECT_FALSE(move->isEnabled());
+  EXPECT_TRUE(desk.label("panel.kinematics.solutions.why_not").contains("Stop"));
+  EXPECT_FALSE(desk.perform("solution.move", 3));
+  desk.perform("session.stop");
+  desk.open("02_sphere");
+  desk.run(500);
+  ASSERT_TRUE(desk.perform("solution.show", 3)) << "outside the limits of the Omni";
+  EXPECT_FALSE(move->isEnabled());
+  EXPECT_TRUE(desk.label("panel.kinematics.solutions.why_not").contains("limits"));
 }
 
 TEST(KinematicsPanel, ASwitchOfThePanelIsThatOfTheView) {

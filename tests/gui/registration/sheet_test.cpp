@@ -77,7 +77,7 @@ TEST(RegistrationSheet, ThePdfHasTheSizeOfItsPaper) {
   EXPECT_NEAR(pageOf(path).height(), 792.0, 1.0);
 }
 
-TEST(RegistrationSheet, WhatNoPaperHoldsIsRefusedInWords) {
+TEST(RegistrationSheet, RefusesASheetThatFitsNoPaper) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("no_sheet.pdf");
   EXPECT_NE(saveSheet(path, {{0, 0, 0}, {0.3, 0, 0}, {0, 0, -0.1}}, Paper::A4).front().sentence.find("do not fit"),

@@ -27,7 +27,7 @@ TEST(RobotPanel, AJointsLimitIsTypedInDegreesAndIsOneStepBack) {
   EXPECT_EQ(robotIn(desk).joints[0].max, before);
 }
 
-TEST(RobotPanel, WhatIsNoNumberIsRefusedInASentence) {
+TEST(RobotPanel, RefusesWhatIsNoNumberInASentence) {
   Desk desk(robotFeature(), "16_one_joint_robot");
   const int steps = desk.document().undoStack().count();
   EXPECT_FALSE(desk.perform("robot.joint.set", 1, QString("max"), QString("wide")));

@@ -36,7 +36,7 @@ TEST(StepPanel, SaysThePolesOfTheMassThatIsHeld) {
   EXPECT_TRUE(desk.label("panel.step.note").startsWith("The response oscillates for ever"));
 }
 
-TEST(StepPanel, WhatIsNoQuantityOrBelowZeroIsRefused) {
+TEST(StepPanel, RefusesNegativeNumbersAndWhatIsNoQuantity) {
   Desk desk(stepFeature());
   EXPECT_FALSE(desk.perform("step.set", QString("kp"), -1.0));
   EXPECT_FALSE(desk.perform("step.set", QString("weight"), 1.0));

@@ -162,7 +162,7 @@ TEST_F(ArmMeshTest, IsDrawnInTheViewOnceItIsRead) {
   EXPECT_EQ(shown.view.armProblems()[0].place.line, 2);
 }
 
-TEST_F(ArmMeshTest, ThatIsReadIsForgottenWithTheArm) {
+TEST_F(ArmMeshTest, ForgetsAReadMeshWithItsArm) {
   ArmPicture picture;
   picture.setArm(armWith(R"(filename="cube.obj")"));
   EXPECT_TRUE(picture.isReading());

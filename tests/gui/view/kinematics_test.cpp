@@ -231,6 +231,19 @@ struct OtherArm : Shown {
   GhostArm ghost;
 };
 
+TEST(KinematicsPicture, TheForceEllipsoidOfABigArmIsNoDot) {
+  for (const char* name : {"ur5e", "ur10e", "planar-3", "puma-560"}) {
+    OtherArm arm(name);
+    Layers layers = only(&Layers::force_ellipsoid);
+    layers.arm = false;
+    arm.view.setLayers(layers);
+    const QImage picture = arm.view.picture();
+    const auto is_orange = [](const QColor& c) { return c.saturation() > 60 && c.hue() > 30 && c.hue() < 50; };
+    const QPointF middle(0.5 * arm.view.width(), 0.5 * arm.view.height());
+    EXPECT_GT(count(picture, middle, 0.5 * arm.view.height(), is_orange), 400) << name;
+  }
+}
+
 TEST(KinematicsPicture, EachSolutionOfAnotherArmIsDrawnFromJointToJoint) {
   for (const char* name : {"ur5e", "cobra-600", "planar-3", "puma-560", "stanford", "panda"}) {
     OtherArm arm(name);

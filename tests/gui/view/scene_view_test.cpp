@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <cmath>
 
+#include "app/gui/view/arm_picture.h"
 #include "app/gui/view/gl_surface.h"
 #include "core/base/units.h"
 #include "core/scene/compile.h"
@@ -280,6 +281,43 @@ TEST(SceneView, AHandThatOnlyTurnsIsLooseUnlessItKeepsHoldingOrHasMoved) {
   shown.send(QEvent::MouseMove, tip + QPointF(9, 0), Qt::NoButton, Qt::LeftButton);
   shown.send(QEvent::MouseMove, tip + QPointF(9, 9), Qt::NoButton, Qt::LeftButton, Qt::ControlModifier);
   EXPECT_TRUE(holds.back()) << "moved first, then turned";
+}
+
+TEST(SceneView, TheStylusIsGrabbedFifteenPixelsBesideItAndByItsGimbal) {
+  Shown shown(sceneOf(kSphere));
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
+  shown.view.present(snapshot);
+  QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed);
+  const QPointF tip = shown.view.screenOf(kTipInFront);
+  const Mat3 R_WT = arm::tipPose(preset().geometry, snapshot.report.sample.q_rad).linear();
+  const QPointF body = shown.view.screenOf(kTipInFront + 0.05 * R_WT.col(2));
+  const QPointF along = body - tip;
+  const QPointF aside = QPointF(-along.y(), along.x()) / std::hypot(along.x(), along.y());
+  int places = 0;
+  for (const QPointF& place :
+       {tip + 15.0 * aside, body - 15.0 * aside, tip - 0.5 * along / std::hypot(along.x(), along.y()) * 28.0}) {
+    shown.drag(place, place + QPointF(4, 0));
+    EXPECT_EQ(grabbed.count(), ++places);
+  }
+}
+
+TEST(SceneView, EachPartOfTheGimbalIsGrabbedAndTheArmIsNot) {
+  Shown shown(sceneOf(kSphere));
+  const servo::Snapshot snapshot = snapshotAt(kTipInFront, kTipInFront, kNoForce);
+  shown.view.present(snapshot);
+  QSignalSpy grabbed(&shown.view, &SceneView::handGrabbed);
+  ArmPicture arm;
+  ASSERT_TRUE(arm.present(snapshot.report.sample.q_rad));
+  ASSERT_FALSE(arm.gimbalRods().empty());
+  int places = 0;
+  for (const ShadowRod& rod : arm.gimbalRods()) {
+    const QPointF place = shown.view.screenOf(0.5 * (rod.from_W + rod.to_W));
+    shown.drag(place, place + QPointF(4, 0));
+    EXPECT_EQ(grabbed.count(), ++places);
+  }
+  const QPointF elbow = shown.view.screenOf(arm::skeleton(preset().geometry, snapshot.report.sample.q_rad).p_WElbow);
+  shown.drag(elbow, elbow + QPointF(4, 0));
+  EXPECT_EQ(grabbed.count(), places);
 }
 
 TEST(SceneView, ThePointerShowsWhatItCanGrab) {

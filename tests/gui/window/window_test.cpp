@@ -74,14 +74,14 @@ TEST(Menus, FilesOpenedLatelyAreListedByTheirNames) {
 
 TEST(Services, WhatTheyRememberIsWhatHolds) {
   Settings before;
-  before.layers.ghosts = true;
+  before.layers.wires = true;
   before.recent = {shippedScene("05_circle")};
   Desk desk(twoPanels(), "02_sphere", before);
   ASSERT_TRUE(desk.document().setLeftHanded(true).empty());
   ASSERT_TRUE(desk.services().rate->choose(2000).empty());
   Settings after;
   desk.services().remember(after);
-  EXPECT_TRUE(after.layers.ghosts);
+  EXPECT_TRUE(after.layers.wires);
   EXPECT_EQ(after.recent, before.recent);
   EXPECT_TRUE(after.left_handed);
   EXPECT_EQ(after.servo_rate_hz, 2000);

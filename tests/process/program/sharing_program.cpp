@@ -21,18 +21,18 @@ Result<std::unique_ptr<servo::DevicePort>> openWire(const Request& /*request*/) 
 std::vector<Found> searchWire() {
   return {};
 }
-constexpr std::array kWires{Row{"wire", "Arm behind a wire", openWire, searchWire}};
+constexpr std::array kWires{Driver{"wire", "Arm behind a wire", openWire, searchWire}};
 
 }  // namespace
 
 // In the place of device/catalogue.cpp.
-std::span<const Row> catalogue() {
+std::span<const Driver> catalogue() {
   return kWires;
 }
-std::string nameOf(const Row& row, const Found& /*found*/) {
-  return row.key;
+std::string nameOf(const Driver& driver, const Found& /*found*/) {
+  return driver.key;
 }
-const Row* findDevice(std::string_view /*key*/) {
+const Driver* findDevice(std::string_view /*key*/) {
   return kWires.data();
 }
 Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view /*name*/, Request request) {

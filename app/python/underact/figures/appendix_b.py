@@ -48,11 +48,11 @@ def program_marks(
     """The marks of a step as `underact-cli lab step` gives them; where there is no such command,
     our own.
     """
-    found = programs.lab_step(numerator, denominator) if programs is not None else None
-    if found is None:
+    step = programs.lab_step(numerator, denominator) if programs is not None else None
+    if step is None:
         return marks(numerator, denominator, end_s)
     return Marks(
-        *(math.nan if found[key] is None else float(found[key]) for key in Marks.__dataclass_fields__)
+        *(math.nan if step[key] is None else float(step[key]) for key in Marks.__dataclass_fields__)
     )
 
 

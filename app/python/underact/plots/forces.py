@@ -69,7 +69,7 @@ def draw_path(axes: Axes, view: View, figure: Figure, bar: bool = True) -> None:
     path = p_mm[evenly(len(p_mm), _POINTS)][:, _DRAWN]
     force = np.linalg.norm(view["force_sent_N"], axis=1)[evenly(len(p_mm), _POINTS)]
     segments = (
-        np.stack([path[:-1], path[1:]], axis=1) if len(path) > 1 else np.stack([path, way], axis=1)
+        np.stack([path[:-1], path[1:]], axis=1) if len(path) > 1 else np.stack([path, path], axis=1)
     )
     size = force[: len(segments)]
     collection = Line3DCollection(
