@@ -6,6 +6,7 @@
 #include "app/gui/kinematics/distance_bar.h"
 #include "app/gui/kinematics/joint_row.h"
 #include "app/gui/kinematics/sections.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "core/base/units.h"
 
