@@ -296,7 +296,7 @@ void KinematicsPicture::addEllipsoids() {
                  QStringLiteral("v"));
   }
   if (force_ && force_limit_N_ > 0.0) {
-    const double size = isOmni() ? 1.0 : others_.size();
+    const double size = shareLinks() ? 1.0 : others_.size();
     const double scale_mm = torque_N_m_ * size * HandPicture::kArrow_mm / force_limit_N_;
     Vec3 half_mm;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
