@@ -63,7 +63,7 @@ Result<std::unique_ptr<servo::DevicePort>> openDevice(std::string_view name, Req
                             {std::string(name.substr(0, colon)), known}),
                      {}}};
   }
-  if (!arm::isOmniForm(request.arm) && driver != kDrivers.data()) {
+  if (!arm::isDevice(request.arm) && driver != kDrivers.data()) {
     return Problems{{phrase(TRANSLATE_NOOP("problem",
                                            "The scene is for the arm \"%1\", which exists as a simulated arm only. "
                                            "Choose the simulated arm, or open another scene first."),

@@ -12,6 +12,8 @@
 namespace underact::device {
 namespace {
 
+constexpr std::size_t kJoints = 6;  // of every device
+
 constexpr auto kBetweenTicks = std::chrono::milliseconds(20);  // between two polls
 
 class Watch {
@@ -56,7 +58,7 @@ std::string line(const char* format, Value... value) {
 
 std::string movedText(const DeviceCheck& trial) {
   std::string text;
-  for (std::size_t joint = 0; joint < arm::firstSix(trial.min_rad).size(); ++joint) {
+  for (std::size_t joint = 0; joint < kJoints; ++joint) {
     text += line("Joint %d: %.2f to %.2f degrees", static_cast<int>(joint) + 1, trial.min_rad[joint] / kRadPerDegree,
                  trial.largest_rad[joint] / kRadPerDegree);
   }

@@ -53,7 +53,7 @@ SimulatedArm::SimulatedArm(const Options& options)
       period_ns_(periodOf(options.rate_hz)) {
   heeded_.p_WT = state_.p_WT;
   last_setpoint_.p_WT = state_.p_WT;
-  kept_.push_back(options.arm.geometry.general);
+  kept_.push_back(options.arm.geometry.mechanism);
 }
 
 bool SimulatedArm::read(arm::Sample& sample) noexcept {
@@ -159,10 +159,10 @@ void SimulatedArm::become(const arm::Preset& arm) {
   if (arm.geometry == wanted_arm_.geometry && arm.limits == wanted_arm_.limits &&
       arm.counts_per_turn == wanted_arm_.counts_per_turn && arm.apparent_mass_kg == wanted_arm_.apparent_mass_kg)
     return;
-  rests_ = !arm::isOmniForm(arm) || !arm::isOmniForm(wanted_arm_);
+  rests_ = !arm::solvesInTick(arm.geometry) || !arm::solvesInTick(wanted_arm_.geometry);
   wanted_arm_ = arm;
   ++arms_;
-  kept_.push_back(arm.geometry.general);
+  kept_.push_back(arm.geometry.mechanism);
   // A script keeps its own places; a hand that is moved by the mouse goes with the stylus, before the arm does.
   if (rests_) rest_ = sim::restingState(sim::makePlant(arm, wanted_model_, {}));
   if (rests_ && !scripted_) {
@@ -177,7 +177,7 @@ void SimulatedArm::become(const arm::Preset& arm) {
 sim::PlantState SimulatedArm::standing(const std::optional<arm::JointAngles>& q) const {
   const sim::Plant plant = sim::makePlant(wanted_arm_, wanted_model_, {});
   if (!q) {
-    const bool began = start_p_WT_ && arm::isOmniForm(wanted_arm_);
+    const bool began = start_p_WT_ && arm::solvesInTick(wanted_arm_.geometry);
     return began ? sim::restingState(plant, *start_p_WT_) : sim::restingState(plant);
   }
   sim::PlantState state;

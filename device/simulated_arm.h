@@ -45,8 +45,8 @@ class SimulatedArm final : public servo::DevicePort {
 
   /// The model of the arm from the next read() on. Any one thread, never blocks the servo.
   void become(const sim::ArmModel& model);
-  /// Takes on lengths, limits and encoders: those of the arm that the scene is for. The samples begin a new
-  /// epoch; where either arm is not of the Omni's form, at rest, with the hand there. The thread that calls become().
+  /// Takes on geometry, limits and encoders: those of the arm that the scene is for. The samples begin a new epoch;
+  /// where either arm does not solvesInTick(), at rest, with the hand there. The thread that calls become().
   void become(const arm::Preset& arm);
   /// From the next read() on the arm stands at rest with these joints (rad or m, brought within their limits), and the
   /// hand is there; none: where the arm began, or rests. The samples begin a new epoch. A script does not end. The
@@ -111,8 +111,8 @@ class SimulatedArm final : public servo::DevicePort {
   bool rests_ = false;    // of the thread that calls become(), as the next three
   sim::PlantState rest_;  // where, if it rests
   const std::optional<Vec3> start_p_WT_;
-  std::vector<std::shared_ptr<const arm::GeneralArm>> kept_;  // all that there were: the servo thread never frees one
-  sim::HandModel hand_;                                       // while it holds the stylus
+  std::vector<std::shared_ptr<const arm::Mechanism>> kept_;  // all that there were: the servo thread never frees one
+  sim::HandModel hand_;                                      // while it holds the stylus
   std::atomic<bool> let_go_{false};
   servo::Slot<Figures> figures_;
   std::atomic<bool> has_figures_{false};

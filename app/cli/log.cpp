@@ -135,7 +135,8 @@ Exit verifyBlocks(const std::string& path, const Streams& streams) {
         bool is_damaged = false;
         for (const servo::TickRecord& record : record::unpackTicks(block)) {
           missing.add(record.tick, problems, path);
-          for (const double angle_rad : arm::beyondSix(record.q_rad)) is_damaged = is_damaged || std::isnan(angle_rad);
+          for (const double angle_rad : std::span(record.q_rad).subspan<record::kJointsOfTicks>())
+            is_damaged = is_damaged || std::isnan(angle_rad);
         }
         if (is_damaged)
           problems.push_back({"Joints 7 and 8 of rows " + std::to_string(row + 1) + " to " +

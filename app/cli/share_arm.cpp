@@ -77,7 +77,7 @@ void printSharedArm(const device::remote::ShareOptions& options, const Address& 
 Exit share(const ShareArmOptions& asked, const KeyFolder& folder, const KeyPair& keys, const Streams& streams) {
   const arm::Preset* const preset = arm::findPreset(asked.arm);
   if (preset == nullptr) return fail({{"There is no arm \"" + asked.arm + "\".", {}}}, Exit::Usage, streams);
-  if (!arm::isOmniForm(*preset))
+  if (!arm::isDevice(*preset))
     return fail(
         {{"The arm \"" + asked.arm + "\" exists as a simulated arm of a scene only; there is none to share.", {}}},
         Exit::Usage, streams);

@@ -73,7 +73,7 @@ bool isWithin(const JointLimits& limits, const JointAngles& q_rad) noexcept {
 
 Solutions solveAll(const Geometry& geometry, const JointLimits& limits, const Pose& X_WT) noexcept {
   Solutions solutions;
-  if (geometry.general != nullptr) return solutions;
+  if (!solvesInTick(geometry)) return solutions;
   const PlanarReach reach = planarReach(geometry, X_WT.translation());
   if (!reach.reachable) return solutions;
   solutions.reachable = true;

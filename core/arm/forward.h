@@ -5,19 +5,18 @@
 
 namespace underact::arm {
 
-// Of an arm of another form (geometry.general) as chain::forward() says, from as many joints as it has.
-
-/// p_WT, m, from the first three joints: the wrist's axes meet in the tip, so the wrist is not computed.
-/// Source: Beckman 2007, eq. 3.1 and 3.5 (erratum 3.5: L1, L2 for a_2, d_4). Not finite in, not finite out.
+/// p_WT, m, of kinematics(), without its other parts.
 Vec3 tipPosition(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// X_WT from all six joints. Within 8 ulp of the reach (of 1 for the orientation) times the largest angle, 1 rad at
-/// least, and 8 ulp of p_WB; tipPosition() too. Source: eq. 3.5 and 3.6 (erratum 3.6), R_06 = R_03(q1, q2, q3) Rz(q4)
-/// Ry(q5) Rz(q6).
+/// X_WT of kinematics(), without the Jacobian.
 Pose tipPose(const Geometry& geometry, const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
 
-/// The positions of shoulder, elbow and tip in W, m: what a drawing of the arm needs. Of an arm of another form, its
-/// first and its middle joint and the tip.
+/// The middle of its workspace, m, around which scenes and hands are made: the origin of W where it solvesInTick(),
+/// else the tip at its rest.
+Vec3 workspaceMiddle(const Geometry& geometry) noexcept UNDERACT_REAL_TIME;
+
+/// The positions of shoulder, elbow and tip in W, m: what a drawing of the arm needs. By a chain, those of its first
+/// and its middle joint and the tip.
 struct Skeleton {
   Vec3 p_WShoulder;
   Vec3 p_WElbow;

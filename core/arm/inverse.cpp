@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/planar.h"
 #include "core/arm/wrist.h"
 #include "core/base/trig.h"
@@ -12,7 +12,7 @@
 namespace underact::arm {
 
 PositionSolution solvePosition(const Geometry& geometry, const Vec3& p_WT) noexcept {
-  if (geometry.general != nullptr) return {geometry.general->rest, false};
+  if (!solvesInTick(geometry)) return {geometry.mechanism->rest, false};
   const PlanarReach at = planarReach(geometry, p_WT);
   const SinCos thigh = scaledThigh(geometry, at, 1.0);
   PositionSolution result;

@@ -14,8 +14,8 @@ struct PositionSolution {
 };
 
 /// Joints 1 to 3 for p_WT, m, on the arm's usual branch (turret facing the tip, elbow as of the real arm); joints 4 to
-/// 6 are left at 0. Source: Beckman 2007, eq. 3.11-3.16 as errata section 2 corrects them. No NaN for finite input. Of
-/// an arm of another form nothing is solved: its rest, not reachable.
+/// 6 are left at 0. Source: Beckman 2007, eq. 3.11-3.16 as errata section 2 corrects them. No NaN for finite input. An
+/// arm that does not solvesInTick() answers its rest, not reachable.
 PositionSolution solvePosition(const Geometry& geometry, const Vec3& p_WT) noexcept UNDERACT_REAL_TIME;
 
 /// Joints 4 to 6 for the orientation R_WT, given joints 1 to 3 in q_rad; joint 5 positive. Where it is 0 or pi, joint 4

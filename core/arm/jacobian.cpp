@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/arm/axes.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/base/decompositions.h"
 #include "core/base/trig.h"
 #include "core/base/units.h"
@@ -43,38 +42,33 @@ Pair decompose(double a, double b, double c, double d) noexcept UNDERACT_REAL_TI
 
 }  // namespace
 
-Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept {
-  if (geometry.general != nullptr)
-    return watchedColumns(watchedJoints(*geometry.general), chain::jacobian(geometry.general->chain, q_rad));
-  return positionJacobian(planeOf(geometry, q_rad));
+Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad, const Parts& parts) noexcept {
+  if (geometry.by_chain) return chain::kinematics(geometry.mechanism->chain, q_rad);
+  const Plane at = planeOf(geometry, q_rad);
+  Kinematics result;
+  result.X_WT.translation() = geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m);
+  if (parts.jacobian) {
+    result.J.resize(6, parts.orientation ? 6 : 3);
+    result.J.topLeftCorner<3, 3>() = positionJacobian(at);
+    const Vec3 side_W(-at.turret.cos, 0.0, at.turret.sin);
+    result.J.bottomLeftCorner<3, 3>() << Vec3::UnitY(), side_W, side_W;
+  }
+  if (!parts.orientation) return result;
+  const Axes axes = axesOf(at, q_rad);
+  result.X_WT.linear() = axes.R_WT;
+  if (!parts.jacobian) return result;
+  result.J.topRightCorner<3, 3>().setZero();
+  result.J.bottomRightCorner<3, 3>() << axes.along_W, axes.five_W, axes.R_WT.col(2);
+  return result;
 }
 
 Tip tip(const Geometry& geometry, const JointAngles& q_rad) noexcept {
-  if (geometry.general != nullptr) {
-    const chain::Kinematics at = chain::kinematics(geometry.general->chain, q_rad);
-    return {at.X_WT.translation(), watchedColumns(watchedJoints(*geometry.general), at.J)};
-  }
-  const Plane at = planeOf(geometry, q_rad);
-  return {geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m), positionJacobian(at)};
+  const Kinematics at = kinematics(geometry, q_rad, {false, true});
+  return {at.X_WT.translation(), watchedColumns(watchedJoints(geometry), at.J)};
 }
 
-Kinematics kinematics(const Geometry& geometry, const JointAngles& q_rad) noexcept {
-  if (geometry.general != nullptr) {
-    const chain::Kinematics at = chain::kinematics(geometry.general->chain, q_rad);
-    Kinematics result;
-    result.X_WT = at.X_WT;
-    for (Eigen::Index joint = 0; joint < std::min<Eigen::Index>(6, at.J.cols()); ++joint)
-      result.J.col(joint) = at.J.col(joint);
-    return result;
-  }
-  const Plane at = planeOf(geometry, q_rad);
-  const Axes axes = axesOf(at, q_rad);
-  Kinematics result;
-  result.X_WT.linear() = axes.R_WT;
-  result.X_WT.translation() = geometry.p_WB + Vec3(at.turret.sin * at.out_m, at.up_m, at.turret.cos * at.out_m);
-  result.J.topLeftCorner<3, 3>() = positionJacobian(at);
-  result.J.bottomRows<3>() << Vec3::UnitY(), axes.side_W, axes.side_W, axes.along_W, axes.five_W, axes.R_WT.col(2);
-  return result;
+Mat3 positionJacobian(const Geometry& geometry, const JointAngles& q_rad) noexcept {
+  return tip(geometry, q_rad).J_p;
 }
 
 Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept {
@@ -107,8 +101,8 @@ Dexterity dexterity(const Geometry& geometry, const JointAngles& q_rad) noexcept
 }
 
 Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad) {
-  if (geometry.general == nullptr) return dexterity(geometry, q_rad);
-  const GeneralArm& arm = *geometry.general;
+  if (solvesInTick(geometry)) return dexterity(geometry, q_rad);
+  const Mechanism& arm = *geometry.mechanism;
   const chain::Jacobian J = chain::jacobian(arm.chain, q_rad);
   Mat3 square = Mat3::Zero();
   for (Eigen::Index joint = 0; joint < J.cols(); ++joint) {
@@ -116,7 +110,7 @@ Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad) {
     if (arm.driven[static_cast<std::size_t>(joint)]) square += offset * offset.transpose();
   }
   Dexterity result;
-  result.J = watchedColumns(watchedJoints(arm), J);
+  result.J = watchedColumns(watchedJoints(geometry), J);
   if (!square.allFinite()) return result;
   const PrincipalAxes principal = principalAxes(square);
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -132,10 +126,7 @@ Dexterity dexterityOf(const Geometry& geometry, const JointAngles& q_rad) {
 }
 
 SingularityDistances singularityDistances(const Geometry& geometry, const JointAngles& q_rad) noexcept {
-  if (geometry.general != nullptr) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    return {kNone, kNone, kNone};
-  }
+  if (!solvesInTick(geometry)) return {kNotANumber, kNotANumber, kNotANumber};
   const Plane at = planeOf(geometry, q_rad);
   const SinCos elbow = sinCos(q_rad[2]), wrist = sinCos(q_rad[4]);
   return {std::abs(at.out_m), atan2Of(std::abs(elbow.cos), std::abs(elbow.sin)),

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/preset.h"
 #include "core/arm/solid.h"
 #include "core/base/result.h"
@@ -77,8 +77,7 @@ const Model* findModel(std::string_view name);
 std::string_view fileOf(std::string_view name);
 
 /// The lengths of an arm whose table has the form of table 3.1 of the thesis (a shoulder about the vertical, two links,
-/// a wrist at the end of the second), in the workspace of eq. 3.1; none for any other arm. Such arms have kinematics in
-/// closed form.
+/// a wrist at the end of the second), in the workspace of eq. 3.1; none for any other arm. Such arms solvesInTick().
 std::optional<Geometry> omniGeometry(const Model& model);
 
 /// What a scene needs of its arm. Problems: a haptic device of omniGeometry() without its figures; a joint that is not

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/arm/apparent_mass.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/model.h"
 #include "core/base/translate.h"
 
@@ -15,9 +15,8 @@ namespace {
 constexpr double kGrip_m = 0.1;           // a moment that is not stated: that of the force at a hand's grip
 constexpr double kUnstatedForce_N = 5.0;  // of an arm whose file does not say: what a hand on it takes for granted
 
-/// Those of all joints, with what the arm of a scene needs more.
-std::shared_ptr<const GeneralArm> generalOf(const Model& model) {
-  GeneralArm arm;
+std::shared_ptr<const Mechanism> mechanismOf(const Model& model) {
+  Mechanism arm;
   arm.chain = model.chain;
   arm.masses = model.masses;
   arm.X_WB = model.X_WB;
@@ -31,14 +30,7 @@ std::shared_ptr<const GeneralArm> generalOf(const Model& model) {
   const double force_N = model.device ? model.device->continuous_force_N : kUnstatedForce_N;
   const double stated_N_m = model.device ? model.device->continuous_moment_N_m : 0.0;
   arm.max_moment_N_m = stated_N_m > 0.0 ? stated_N_m : kGrip_m * force_N;
-  return std::make_shared<const GeneralArm>(std::move(arm));
-}
-
-JointLimits generalLimits(const Model& model) {
-  JointLimits limits = limitsOf(model);
-  limits.of_wrist_size = model.limits_wrist_size;
-  if (model.rows.size() < 5) limits.min_rad[4] = -kInfinity;
-  return limits;
+  return std::make_shared<const Mechanism>(std::move(arm));
 }
 
 /// Whether the motors are those of the Omni: joints 1 to 3, and no more.
@@ -54,7 +46,7 @@ std::vector<Preset> all() {
   for (const Model& model : models()) {
     if (Result<Preset> preset = presetOf(model)) all.push_back(std::move(preset).value());
   }
-  std::stable_partition(all.begin(), all.end(), isOmniForm);
+  std::stable_partition(all.begin(), all.end(), isDevice);
   return all;
 }
 
@@ -62,15 +54,16 @@ std::vector<Preset> all() {
 
 Result<Preset> presetOf(const Model& model) {
   const std::optional<Geometry> geometry = omniGeometry(model);
+  Preset preset{model.name, model.title, model.provenance, {}, limitsOf(model), {}, kUnstatedForce_N, 0.0};
+  if (model.device) {
+    preset.counts_per_turn = model.device->counts_per_turn;
+    preset.continuous_force_N = model.device->continuous_force_N;
+  }
   if (geometry && model.device && drivesFirstThree(model)) {
-    return Preset{model.name,
-                  model.title,
-                  model.provenance,
-                  *geometry,
-                  limitsOf(model),
-                  model.device->counts_per_turn,
-                  model.device->continuous_force_N,
-                  apparentMass_kg(model)};
+    preset.geometry = *geometry;
+    preset.geometry.mechanism = mechanismOf(model);
+    preset.apparent_mass_kg = apparentMass_kg(model);
+    return preset;
   }
   if (geometry && !model.device) {
     return Problems{
@@ -88,12 +81,10 @@ Result<Preset> presetOf(const Model& model) {
                                            "the arm of a scene needs each of its joints sensed."),
                             {std::to_string(joint + 1)})}};
   }
-  Preset preset{model.name, model.title, model.provenance, {}, generalLimits(model), {}, kUnstatedForce_N, 0.0};
-  preset.geometry.general = generalOf(model);
-  if (model.device) {
-    preset.counts_per_turn = model.device->counts_per_turn;
-    preset.continuous_force_N = model.device->continuous_force_N;
-  }
+  preset.geometry.mechanism = mechanismOf(model);
+  preset.geometry.by_chain = true;
+  preset.limits.of_wrist_size = model.limits_wrist_size;
+  if (model.rows.size() < 5) preset.limits.min_rad[4] = -kInfinity;
   return preset;
 }
 
@@ -104,7 +95,7 @@ std::span<const Preset> sceneArms() {
 
 std::span<const Preset> presets() {
   const std::span<const Preset> every = sceneArms();
-  return every.first(static_cast<std::size_t>(std::count_if(every.begin(), every.end(), isOmniForm)));
+  return every.first(static_cast<std::size_t>(std::count_if(every.begin(), every.end(), isDevice)));
 }
 
 const Preset* findPreset(std::string_view name) {

@@ -10,26 +10,28 @@
 
 namespace underact::arm {
 
-struct GeneralArm;
-/// Whether both are the same arm, to the bit.
-bool operator==(const GeneralArm& a, const GeneralArm& b) noexcept UNDERACT_REAL_TIME;
+struct Mechanism;
 
-/// The lengths of the chain, and the position of frame 0 of the DH table in W. W's axes are fixed in B for every arm of
-/// this form: x_W = y_B, y_W = z_B, z_W = x_B (thesis eq. 3.1).
+/// How the joints of an arm move its tip: what its kinematics are computed from.
 struct Geometry {
+  // Of table 3.1 of the thesis, where it has that form; else 0. W's axes are fixed in B then: x_W = y_B, y_W = z_B,
+  // z_W = x_B (thesis eq. 3.1).
   double upper_m = 0.0;  // L1, shoulder to elbow (a_2)
   double fore_m = 0.0;   // L2, elbow to wrist centre (d_4); the tip is the wrist centre
   Vec3 p_WB = Vec3::Zero();
-  /// An arm of another form; then the lengths are 0. It outlives every copy, so that a tick may copy and drop one
-  /// without freeing anything as long as somebody else has another: programs and presets do.
-  std::shared_ptr<const GeneralArm> general = nullptr;
-  /// Whether it has the same lengths, or is the same other arm, from the same file or another.
-  bool operator==(const Geometry& other) const noexcept UNDERACT_REAL_TIME {
-    const bool are_same =
-        general == other.general || (general != nullptr && other.general != nullptr && *general == *other.general);
-    return are_same && upper_m == other.upper_m && fore_m == other.fore_m && p_WB == other.p_WB;
-  }
+  /// Chain and motors, which every preset has; lengths alone have none. It outlives every copy, so that a tick may copy
+  /// and drop one without freeing anything as long as somebody else has another: programs and presets do.
+  std::shared_ptr<const Mechanism> mechanism = nullptr;
+  bool by_chain = false;  // it is solved by its chain, not by its lengths
+  /// Whether it has the same lengths, or by its chain the same mechanism, from the same file or another.
+  bool operator==(const Geometry& other) const noexcept UNDERACT_REAL_TIME;
 };
+
+/// Whether the joints for a pose of the tip are found within a tick, in closed form by the lengths. Then laws act on
+/// joints, the tip of a simulated arm is moved itself, and solutions and singularities have names.
+inline bool solvesInTick(const Geometry& geometry) noexcept UNDERACT_REAL_TIME {
+  return !geometry.by_chain;
+}
 
 /// How many joints the arm has.
 std::size_t jointsOf(const Geometry& geometry) noexcept UNDERACT_REAL_TIME;
@@ -51,12 +53,12 @@ inline constexpr JointLimits kNoJointLimits{
 /// thigh), then the three of the gimbal. Of other arms: of each joint; 0 beyond their joints.
 using EncoderCounts = std::array<double, kMaxJoints>;
 
-/// An arm that a scene can have: a haptic device of the thesis's kind, or (geometry.general) one that is simulated.
+/// An arm that a scene can have.
 struct Preset {
   std::string name;
   std::string title;
   std::string provenance;
-  Geometry geometry;
+  Geometry geometry;  // with its mechanism
   JointLimits limits;
   EncoderCounts counts_per_turn{};
   double continuous_force_N = 0.0;
@@ -68,9 +70,10 @@ std::span<const Preset> sceneArms();
 /// Those that are haptic devices.
 std::span<const Preset> presets();
 
-/// Whether the arm has the form of the Omni's table, as every device that is driven here; others are simulated.
-inline bool isOmniForm(const Preset& preset) {
-  return preset.geometry.general == nullptr;
+/// Whether there are devices of its kind that this program drives: every driver finds the joints within a tick. Others
+/// are simulated.
+inline bool isDevice(const Preset& preset) {
+  return solvesInTick(preset.geometry);
 }
 
 /// The one of sceneArms() of that name, or null.

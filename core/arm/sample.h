@@ -15,23 +15,6 @@ inline constexpr std::size_t kMaxJoints = 8;
 /// (thesis table 3.1), whatever the device's own convention is; of others rad, or m where a joint slides.
 using JointAngles = std::array<double, kMaxJoints>;
 
-/// Those of an arm of the Omni's kind.
-constexpr std::span<const double, 6> firstSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return std::span(q_rad).first<6>();
-}
-/// Those of an arm of the Omni's kind, to be written.
-constexpr std::span<double, 6> firstSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return std::span(q_rad).first<6>();
-}
-
-/// The others.
-constexpr std::span<const double, kMaxJoints - 6> beyondSix(const JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return std::span(q_rad).last<kMaxJoints - 6>();
-}
-constexpr std::span<double, kMaxJoints - 6> beyondSix(JointAngles& q_rad) noexcept UNDERACT_REAL_TIME {
-  return std::span(q_rad).last<kMaxJoints - 6>();
-}
-
 /// The state of an arm at one moment.
 struct Sample {
   std::int64_t time_ns = 0;  // since the device was opened, on the device's clock

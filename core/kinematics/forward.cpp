@@ -31,7 +31,7 @@ std::span<const double> onlyJoints(const SolvedArm& arm, const JointValues& q) n
 
 /// Of six joints that all turn, in m.
 Mat6 jacobianOfSix(const SolvedArm& arm, const JointValues& q) noexcept {
-  return arm.omni ? arm::kinematics(*arm.omni, sixOf(q)).J : Mat6(chain::jacobian(arm.flange, onlyJoints(arm, q)));
+  return arm.omni ? arm::kinematics(*arm.omni, sixOf(q)).J : chain::jacobian(arm.flange, onlyJoints(arm, q));
 }
 
 /// Which singularities the joints of an arm of six are at.

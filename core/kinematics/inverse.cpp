@@ -19,7 +19,8 @@ std::array<chain::BranchName, 3> branchOf(int shoulder, int elbow, int wrist) {
 
 Answer byStraightLine(const SolvedArm& arm, const Pose& X_WT) {
   const arm::Solutions solutions = arm::solveAll(*arm.omni, arm::limitsOf(arm.model), X_WT);
-  Answer answer{solutions.reachable, solutions.singular(), {}};
+  Answer answer{solutions.reachable,   solutions.singular(), {},
+                solutions.at_shoulder, solutions.at_elbow,   solutions.at_wrist};
   answer.found.reserve(solutions.count);
   for (const arm::Solution& one : solutions) {
     Found found;

@@ -37,6 +37,7 @@ struct Answer {
   bool reachable = false;
   bool singular = false;
   std::vector<Found> found;
+  bool at_shoulder = false, at_elbow = false, at_wrist = false;  // where, of the straight-line code
 };
 
 /// The joints for a pose. Joints that turn are moved by full turns within their limits where these allow it, to the

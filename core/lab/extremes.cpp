@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/base/denormals.h"
 #include "core/base/random.h"
 #include "core/sim/plant.h"

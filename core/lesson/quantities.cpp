@@ -3,8 +3,8 @@
 
 #include "core/arm/branches.h"
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
 #include "core/arm/jacobian.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/model.h"
 #include "core/arm/sample.h"
 #include "core/arm/statics.h"
@@ -40,53 +40,53 @@ Values three(const Vec3& vector) {
   return values;
 }
 
-Values inDegrees(const arm::JointAngles& angles_rad) {
+/// The angles of turret, thigh and shin and of the gimbal.
+Values deviceAngles_deg(const Observation& seen) {
+  const arm::JointAngles angles_rad = arm::deviceFromDh(seen.tick.q_rad);
   Values values = unknown();
-  const std::span<const double, 6> six_rad = arm::firstSix(angles_rad);
-  std::transform(six_rad.begin(), six_rad.end(), values.begin(), [](double a) { return a / kRadPerDegree; });
+  std::transform(angles_rad.begin(), angles_rad.begin() + 6, values.begin(),
+                 [](double a) { return a / kRadPerDegree; });
   return values;
 }
 
 /// Of each joint, in degrees, or mm where it slides.
 Values joints(const Observation& seen) {
-  Values values = inDegrees(seen.tick.q_rad);
-  const arm::GeneralArm* const general = seen.arm.geometry.general.get();
-  if (general == nullptr) return values;
-  for (std::size_t joint = 0; joint < seen.tick.q_rad.size(); ++joint) {
-    if (joint >= general->chain.joints.size()) {
-      values[joint] = kNotANumber;
-    } else {
-      const bool slides = general->chain.joints[joint].type == chain::JointType::Prismatic;
-      values[joint] = slides ? kMillimetrePerMetre * seen.tick.q_rad[joint] : seen.tick.q_rad[joint] / kRadPerDegree;
-    }
+  Values values = unknown();
+  for (std::size_t joint = 0; joint < arm::jointsOf(seen.arm.geometry); ++joint) {
+    const double q = seen.tick.q_rad[joint];
+    values[joint] = arm::slides(seen.arm.geometry, joint) ? kMillimetrePerMetre * q : q / kRadPerDegree;
   }
   return values;
-}
-
-/// How many solutions the pose has on an arm that is not of the Omni's form, and how many are within the limits; none:
-/// it has no closed form.
-struct Count {
-  double all = kNotANumber, within = kNotANumber;
-};
-Count countOf(const Observation& seen) {
-  const arm::GeneralArm& general = *seen.arm.geometry.general;
-  const chain::Inverse inverse = chain::inverseOf(general.chain);
-  if (!inverse.isClosed()) return {};
-  const chain::InverseSolutions found = chain::solveAll(inverse, arm::tipPose(seen.arm.geometry, seen.tick.q_rad));
-  Count count{0.0, 0.0};
-  for (std::size_t index = 0; index < found.count; ++index) {
-    chain::JointValues values = found.all[index].q;
-    const std::span<double> q = std::span(values).first(general.chain.joints.size());
-    count.all += 1.0;
-    arm::turnIntoLimits(scene::modelOf(seen.scene), q);
-    if (arm::isWithinLimits(scene::modelOf(seen.scene), q)) count.within += 1.0;
-  }
-  return count;
 }
 
 arm::Solutions solutionsOf(const Observation& seen) {
   const arm::Geometry& geometry = seen.arm.geometry;
   return arm::solveAll(geometry, seen.arm.limits, arm::tipPose(geometry, seen.tick.q_rad));
+}
+
+/// How many solutions the pose has, and how many are within the limits; not numbers: the arm has no closed form.
+struct Count {
+  double all = kNotANumber, within = kNotANumber;
+};
+Count countOf(const Observation& seen) {
+  if (arm::solvesInTick(seen.arm.geometry)) {
+    const arm::Solutions all = solutionsOf(seen);
+    const auto within =
+        std::count_if(all.begin(), all.end(), [](const arm::Solution& one) { return one.within_limits; });
+    return {static_cast<double>(all.count), static_cast<double>(within)};
+  }
+  const chain::Inverse inverse = chain::inverseOf(seen.arm.geometry.mechanism->chain);
+  if (!inverse.isClosed()) return {};
+  const chain::InverseSolutions found = chain::solveAll(inverse, arm::tipPose(seen.arm.geometry, seen.tick.q_rad));
+  Count count{0.0, 0.0};
+  for (std::size_t index = 0; index < found.count; ++index) {
+    chain::JointValues values = found.all[index].q;
+    const std::span<double> q = std::span(values).first(inverse.chain.joints.size());
+    count.all += 1.0;
+    arm::turnIntoLimits(scene::modelOf(seen.scene), q);
+    if (arm::isWithinLimits(scene::modelOf(seen.scene), q)) count.within += 1.0;
+  }
+  return count;
 }
 
 arm::Dexterity dexterityOf(const Observation& seen) {
@@ -123,10 +123,7 @@ const scene::VirtualManipulator* robotOf(const scene::Description& scene) {
 }
 
 Values tipInBase_mm(const Observation& seen) {
-  const arm::GeneralArm* const general = seen.arm.geometry.general.get();
-  if (general != nullptr) return three(kMillimetrePerMetre * (general->X_WB.inverse(Eigen::Isometry) * seen.tick.p_WT));
-  const Vec3 p_BT_W = seen.tick.p_WT - seen.arm.geometry.p_WB;
-  return three(kMillimetrePerMetre * (arm::workspaceFromBase().transpose() * p_BT_W));
+  return three(kMillimetrePerMetre * (seen.arm.geometry.mechanism->X_WB.inverse(Eigen::Isometry) * seen.tick.p_WT));
 }
 
 // In the order in which the solutions are numbered everywhere: shoulder, elbow, wrist, + before -.
@@ -142,19 +139,15 @@ Values branch(const Observation& seen) {
 }
 
 Values solutions(const Observation& seen) {
-  if (!arm::isOmniForm(seen.arm)) return one(countOf(seen).all);
-  return one(static_cast<double>(solutionsOf(seen).count));
+  return one(countOf(seen).all);
 }
 
 Values solutionsWithin(const Observation& seen) {
-  if (!arm::isOmniForm(seen.arm)) return one(countOf(seen).within);
-  const arm::Solutions all = solutionsOf(seen);
-  return one(static_cast<double>(
-      std::count_if(all.begin(), all.end(), [](const arm::Solution& one) { return one.within_limits; })));
+  return one(countOf(seen).within);
 }
 
 Values limit_deg(const Observation& seen) {
-  if (!arm::isOmniForm(seen.arm)) return unknown();
+  if (!arm::solvesInTick(seen.arm.geometry)) return unknown();
   double lowest_rad = kInfinity;
   for (std::size_t joint = 0; joint < 3; ++joint) {
     const double q_rad = seen.tick.q_rad[joint];
@@ -226,8 +219,7 @@ std::span<const Quantity> quantities() {
       {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 8, Largest, Nothing,
        "Joint angles of the DH table; prismatic joints in mm.", joints},
       {"device_deg", TRANSLATE_NOOP("problem", "The device's angle"), "°", 1, 6, Largest, Nothing,
-       "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.",
-       [](const Observation& seen) { return inDegrees(arm::deviceFromDh(seen.tick.q_rad)); }},
+       "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.", deviceAngles_deg},
       {"branch", TRANSLATE_NOOP("problem", "The solution"), "", 0, 1, Euclidean, Nothing,
        "Number of the arm's current inverse solution, as in the panel Kinematics.", branch},
       {"solutions", TRANSLATE_NOOP("problem", "The number of inverse solutions"), "", 0, 1, Euclidean, Nothing,

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/base/units.h"
 
 namespace underact::lesson {
@@ -21,7 +21,7 @@ std::optional<TargetPlace> placeOf(const Measure& measure, const std::vector<dou
   const std::string_view key = measure.quantity->key;
   const Vec3 place = Vec3(near[0], near[1], near[2]);
   if (key == "tip_mm") return TargetPlace{kMetrePerMillimetre * place, kMetrePerMillimetre * within, 0, 0};
-  if (!arm::isOmniForm(arm)) return {};
+  if (!arm::solvesInTick(arm.geometry)) return {};
   if (key == "tip_in_base_mm")
     return TargetPlace{arm.geometry.p_WB + arm::workspaceFromBase() * (kMetrePerMillimetre * place),
                        kMetrePerMillimetre * within, 0, 0};
@@ -40,12 +40,8 @@ double minutesOf(const Lesson& lesson) {
 std::optional<arm::JointAngles> startOf(const Step& step, const arm::Preset& arm) {
   if (step.pose_deg.empty()) return {};
   arm::JointAngles q{};
-  const arm::GeneralArm* const general = arm.geometry.general.get();
-  const std::size_t joints =
-      general == nullptr ? arm::firstSix(q).size() : std::min(q.size(), general->chain.joints.size());
-  for (std::size_t joint = 0; joint < std::min(joints, step.pose_deg.size()); ++joint) {
-    const bool slides = general != nullptr && general->chain.joints[joint].type == chain::JointType::Prismatic;
-    q[joint] = step.pose_deg[joint] * (slides ? kMetrePerMillimetre : kRadPerDegree);
+  for (std::size_t joint = 0; joint < std::min(arm::jointsOf(arm.geometry), step.pose_deg.size()); ++joint) {
+    q[joint] = step.pose_deg[joint] * (arm::slides(arm.geometry, joint) ? kMetrePerMillimetre : kRadPerDegree);
   }
   return q;
 }

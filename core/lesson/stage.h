@@ -29,7 +29,7 @@ struct TargetPlace {
 };
 
 /// The places where the step's checks want the tip: of tip_mm and of tip_in_base_mm, where all three parts are given,
-/// and of q_deg where the first three joints of an arm of the Omni's form are. Not of conditions meanwhile, and not of
+/// and of q_deg where the first three joints of an arm that solvesInTick() are. Not of conditions meanwhile, and not of
 /// questions.
 std::vector<TargetPlace> targetsOf(const Step& step, const arm::Preset& arm);
 

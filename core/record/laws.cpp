@@ -56,7 +56,7 @@ json::ObjectText lawVersions() {
 
 scene::Description asIntegrated(Session& session, scene::Description scene) {
   const bool is_old = versionIn(firstProvenance(session), kIntegratorLaw) < 2;
-  if (is_old && !arm::isOmniForm(scene::armOf(scene))) scene.simulation.integrator = Integrator::EndVelocity;
+  if (is_old && !arm::solvesInTick(scene::armOf(scene).geometry)) scene.simulation.integrator = Integrator::EndVelocity;
   return scene;
 }
 

@@ -216,7 +216,7 @@ void SessionWriter::addMoreJoints(const servo::TickRecord& record) {
     for (const servo::TickRecord& before : unpackTicks(packer_.block())) pack(JointsRow{before.tick}, joints_);
   }
   JointsRow row{record.tick};
-  std::ranges::copy(arm::beyondSix(record.q_rad), row.q.begin());
+  std::copy(record.q_rad.begin() + kJointsOfTicks, record.q_rad.end(), row.q.begin());
   pack(row, joints_);
 }
 

@@ -38,11 +38,12 @@ void eachPartOfGate(Gate& gate, Part&& part) {
   part(gate.fault);
 }
 constexpr std::size_t kGateBytes = 144;
+constexpr std::size_t kFirstJoints = 6;  // those beyond are behind all other parts
 
 /// A follower, which arms of six joints have.
 template <class Follower, class Part>
 void eachPartOf(Follower& follower, Part&& part) {
-  for (auto& angle_rad : arm::firstSix(follower.q_rad)) part(angle_rad);
+  for (std::size_t joint = 0; joint < kFirstJoints; ++joint) part(follower.q_rad[joint]);
   part(follower.branch);
   part(follower.begun);
   FollowerEnd end{};
@@ -55,7 +56,7 @@ void eachPart(State& state, Part&& part) {
   part(state.time_ns);
   part(state.has_time);
   part(state.p_WT);
-  for (auto& angle_rad : arm::firstSix(state.q_rad)) part(angle_rad);
+  for (std::size_t joint = 0; joint < kFirstJoints; ++joint) part(state.q_rad[joint]);
   part(state.limited);
   part(state.asked_T_W);
   part(state.bump_T_W);
@@ -73,7 +74,7 @@ void eachPart(State& state, Part&& part) {
   each(state.needs.energy, [&](auto& entry) { part(entry.energy); });
   each(state.needs.joints, [&](auto& entry) { eachPartOf(entry.follower, part); });
   if (state.needs.more_joints) {
-    for (auto& angle_rad : arm::beyondSix(state.q_rad)) part(angle_rad);
+    for (std::size_t joint = kFirstJoints; joint < state.q_rad.size(); ++joint) part(state.q_rad[joint]);
   }
   if (!state.needs.more_motors) return;
   for (std::size_t motor = 3; motor < state.gate.heat.size(); ++motor) part(state.gate.heat[motor]);

@@ -20,12 +20,13 @@ using Tick = servo::TickRecord;  // a row of /ticks
 /// numbers where the arm gave no sample. geometry: of the arm.
 Eigen::Vector4d turnOf(const servo::TickRecord& record, const arm::Geometry& geometry);
 
-/// The joints beyond the sixth, which the file has in /joints, and all other forms of a tick at the end.
+/// The joints of /ticks; those beyond it are in /joints, and in all other forms of a tick at the end.
+inline constexpr std::size_t kJointsOfTicks = 6;
 inline constexpr int kLastInCsv = 1000;
 inline constexpr Field kMoreJoints{
     Column{"q_more_rad", "rad", "joint angles 7 and 8, of an arm that has them; m where a joint slides",
            NumberKind::Real, "q7_rad,q8_rad", 2, "joints", "q7_rad,q8_rad", kLastInCsv},
-    [](auto& record) { return arm::beyondSix(record.q_rad); }};
+    [](auto& record) { return std::span(record.q_rad).template subspan<kJointsOfTicks>(); }};
 
 /// The columns of /ticks, in the order of the file. Lengths mm, angles rad, forces N. A new one is a row here, with
 /// csv_since above all others, and a member of the record; resources/guide/session_columns.md and columns.json are made
@@ -36,7 +37,7 @@ inline constexpr std::tuple kFields<Tick>{
     Field{Column{"time_ns", "ns", "of the sample, on the arm's clock", NumberKind::Integer, "time_s"}, &Tick::time_ns},
     Field{Column{"q_rad", "rad", "joint angles 1 to 6 in the DH convention; m where a joint slides", NumberKind::Real,
                  "q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad", 6, "joints", "q1_rad,q2_rad,q3_rad,q4_rad,q5_rad,q6_rad"},
-          [](auto& record) { return arm::firstSix(record.q_rad); }},
+          [](auto& record) { return std::span(record.q_rad).template first<kJointsOfTicks>(); }},
     Field{Column{"buttons", "", "of the stylus; bit 0: the one nearer to the tip", NumberKind::Unsigned, "buttons", 1,
                  "", "", 1},
           &Tick::buttons},

@@ -94,7 +94,7 @@ void Checker::checkControl(const std::string& key, const Control& control) {
   }
   checkAll(key + ".velocity", control.velocity);
   const arm::Preset* const arm = findArm(scene_);
-  if (control.space == tick::Space::Joint && arm != nullptr && !arm::isOmniForm(*arm))
+  if (control.space == tick::Space::Joint && arm != nullptr && !arm::solvesInTick(arm->geometry))
     add(key + ".space",
         phrase(
             TRANSLATE_NOOP("problem",

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
 #include "core/arm/jacobian.h"
+#include "core/arm/mechanism.h"
 #include "core/base/units.h"
 #include "core/scene/manipulators.h"
 #include "core/scene/meshes.h"
@@ -42,22 +42,21 @@ auto make(const Shape& shape, const SourceLocation& place) {
 }
 
 /// For each joint the displacement of the tip per rad, m, with the tip in the middle of the workspace; of an arm that
-/// is not of the Omni's form, of the watched joints at its rest, and at least a tenth of the longest: a joint whose
-/// axis passes by the tip there has a motor all the same.
+/// does not solvesInTick(), of the watched joints at its rest, and at least a tenth of the longest: a joint whose axis
+/// passes by the tip there has a motor all the same.
 Vec3 leversOf(const arm::Geometry& geometry) {
-  if (geometry.general != nullptr) {
-    const Vec3 levers = arm::positionJacobian(geometry, geometry.general->rest).colwise().norm();
-    return levers.cwiseMax(0.1 * levers.maxCoeff());
-  }
-  return arm::positionJacobian(geometry, arm::solvePosition(geometry, Vec3::Zero()).q_rad).colwise().norm();
+  const arm::JointAngles q_rad = arm::solvePosition(geometry, Vec3::Zero()).q_rad;
+  const Vec3 levers = arm::positionJacobian(geometry, q_rad).colwise().norm();
+  return arm::solvesInTick(geometry) ? levers : Vec3(levers.cwiseMax(0.1 * levers.maxCoeff()));
 }
 
-/// The limits of the driven joints of an arm that is not of the Omni's form. What a motor bears without end is what
-/// the continuous force takes of it at the arm's rest, and, where a moment is rendered, what that takes; at least a
-/// tenth of the greatest.
-void limitJoints(const arm::GeneralArm& arm, double force_N, safety::Limits& limits) {
+/// The limits of the driven joints of an arm that is driven by more than the first three. What a motor bears without
+/// end is what the continuous force takes of it at the arm's rest, and, where a moment is rendered, what that takes; at
+/// least a tenth of the greatest.
+void limitJoints(const arm::Geometry& geometry, double force_N, safety::Limits& limits) {
+  const arm::Mechanism& arm = *geometry.mechanism;
   const chain::Jacobian J = chain::jacobian(arm.chain, arm.rest);
-  const arm::Watched watched = arm::watchedJoints(arm);
+  const arm::Watched watched = arm::watchedJoints(geometry);
   std::array<double, safety::kMaxDriven> bears{};
   for (std::size_t i = 0; i < watched.count; ++i) {
     const auto column = J.col(static_cast<Eigen::Index>(watched.joint[i]));
@@ -170,7 +169,7 @@ Result<tick::TickProgram> compile(const Description& scene) {
   if (!problems.empty()) return problems;
   safety::Limits limits =
       safety::limitsForHands(preset.continuous_force_N, preset.continuous_force_N * leversOf(preset.geometry));
-  if (preset.geometry.general != nullptr) limitJoints(*preset.geometry.general, preset.continuous_force_N, limits);
+  if (!arm::solvesInTick(preset.geometry)) limitJoints(preset.geometry, preset.continuous_force_N, limits);
   return tick::makeProgram(preset.geometry, std::move(entries), scene.combine, limits, preset.limits);
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/solid_place.h"
 #include "core/base/translate.h"
 #include "core/json/text.h"
@@ -81,8 +81,7 @@ std::optional<bool> rendersMoment(const Description& scene) {
     return robot != nullptr && robot->orientation != manipulator::Orientation::None;
   });
   if (!asks) return {};
-  const arm::Geometry& geometry = armOf(scene).geometry;
-  return geometry.general != nullptr && geometry.general->renders_moment;
+  return armOf(scene).geometry.mechanism->renders_moment;
 }
 
 std::string_view armTextOf(const Description& scene) {

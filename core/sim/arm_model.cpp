@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 
 namespace underact::sim {
 namespace {
@@ -29,7 +29,7 @@ arm::EncoderCounts countsOf(const arm::EncoderCounts& measured, const arm::Encod
 
 ArmModel modelFor(const arm::Preset& arm, ArmModel model) {
   if (model.name != kDefaultArmModel) return model;
-  model.of_links = !arm::isOmniForm(arm) && !arm.geometry.general->masses.empty();
+  model.of_links = !arm::solvesInTick(arm.geometry) && !arm.geometry.mechanism->masses.empty();
   if (model.of_links)
     model.provenance = "Inertia of the links in the file of the arm " + arm.name +
                        "; back-drive friction below 0.26 N at the tip, as of the Omni by its vendor's sheets.";

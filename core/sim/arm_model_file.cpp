@@ -19,6 +19,7 @@ using json::Value;
 
 constexpr double kHeaviest_kg = 100.0, kMax = 1e6;
 constexpr double kFurthest_mm = 1e6;
+constexpr std::size_t kCounts = 6;  // of encoders
 constexpr int kSlowest_Hz = 1, kFastest_Hz = 1'000'000;
 
 void readAmountUpTo(ObjectReader& object, const char* key, bool required, double max, double& amount) {
@@ -45,11 +46,11 @@ void readCounts(const Value& list, ArmModel& model, Findings& findings) {
   const char* const kKey = "counts_per_turn";
   if (!isKind(list, json::JsonKind::Array, kKey, phrase(TRANSLATE_NOOP("problem", "a list of six numbers")), findings))
     return;
-  if (list.items.size() != 6)
+  if (list.items.size() != kCounts)
     return findings.add(list, kKey,
                         phrase(TRANSLATE_NOOP("problem", "This must be a list of six numbers, one for each joint.")));
   arm::EncoderCounts counts{};
-  for (std::size_t joint = 0; joint < arm::firstSix(counts).size(); ++joint) {
+  for (std::size_t joint = 0; joint < kCounts; ++joint) {
     const Value& count = list.items[joint];
     if (count.kind == json::JsonKind::Null) continue;  // not measured
     counts[joint] = count.number;
@@ -199,7 +200,7 @@ std::string armModelText(const ArmModelFile& file) {
   if (!arm.encoders) add("encoders", "false");
   if (arm.counts_per_turn) {
     std::string counts;
-    for (const double count : arm::firstSix(*arm.counts_per_turn))
+    for (const double count : std::span(*arm.counts_per_turn).first<kCounts>())
       counts += (counts.empty() ? "" : ", ") + (count > 0.0 ? numberText(count) : std::string("null"));
     add("counts_per_turn", "[" + counts + "]");
   }

@@ -1,9 +1,10 @@
 #include <array>
+#include <utility>
 
+#include "core/arm/forward.h"
 #include "core/base/translate.h"
 #include "core/base/units.h"
 #include "core/sim/hand_script.h"
-#include "core/sim/plant.h"
 
 namespace underact::sim {
 namespace {
@@ -25,7 +26,7 @@ HandScript along(std::initializer_list<Stop> stops, double repeat_s) {
     script.path.push_back(point);
   }
   script.repeat_s = repeat_s;
-  script.of_omni = true;
+  script.about_middle = true;
   return script;
 }
 
@@ -121,10 +122,8 @@ std::span<const BuiltInHand> builtInHands() {
 }
 
 HandScript madeFor(const arm::Preset& arm, HandScript script) {
-  if (!script.of_omni || arm::isOmniForm(arm)) return script;
-  const Vec3 p_WRest = restingState(makePlant(arm, {}, {})).p_WT;
-  for (HandPoint& point : script.path) point.p_WT += p_WRest;
-  script.of_omni = false;
+  if (!std::exchange(script.about_middle, false)) return script;
+  for (HandPoint& point : script.path) point.p_WT += arm::workspaceMiddle(arm.geometry);
   return script;
 }
 

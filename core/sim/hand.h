@@ -20,7 +20,7 @@ struct HandSetpoint {
   Mat3 R_WT = Mat3::Identity();
   bool turns = false;  // R_WT counts; false: the wrist stays as it is
   bool holds = true;   // false: loose fingers, which move with the stylus; the spring is slack and p_WT does not count
-  /// Of an arm that is not of the Omni's form: the joints are led to these values, and the position does not count.
+  /// Of an arm that moves in its joints: they are led to these values, and the position does not count.
   std::optional<arm::JointAngles> posture = {};
 };
 

@@ -27,7 +27,7 @@ struct HandScript {
   double repeat_s = 0.0;        // > 0: the path starts again after so long
   double tremor_m = 0.0;        // amplitude, per axis: never further off than this
   std::uint64_t seed = 0;       // of the tremor's phases
-  bool of_omni = false;         // built in: made for the middle of the Omni's workspace
+  bool about_middle = false;    // built in: around the middle of an arm's workspace, here the origin
 };
 
 /// Where the script wants the hand at time_ns since its start; a pure function, bit-identical on every machine. Before
@@ -45,8 +45,7 @@ std::span<const BuiltInHand> builtInHands();  // still, sweep, probe, tremor, st
 /// A built-in script by name. Problems: no such name (the names are in the sentence).
 Result<HandScript> builtInHand(std::string_view name, std::uint64_t seed);
 
-/// The script for an arm: a built-in one for an arm that is not of the Omni's form is around the tip at its rest, and
-/// not around the origin of W; any other stays as it is.
+/// The script for an arm: a built-in one is around the middle of its workspace; any other stays as it is.
 HandScript madeFor(const arm::Preset& arm, HandScript script);
 
 /// {"underact_hand": 1, "hand": {...}, "path": [{"t_s", "p_mm", "R_WT"}, ...]}. A point without R_WT keeps the

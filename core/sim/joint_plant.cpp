@@ -1,14 +1,13 @@
-#include "core/sim/joint_plant.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
+#include "core/arm/mechanism.h"
 #include "core/base/linear_system.h"
 #include "core/base/rotation.h"
 #include "core/base/units.h"
+#include "core/sim/mechanics.h"
 
 namespace underact::sim {
 namespace {
@@ -39,7 +38,7 @@ struct Moving {
 };
 
 template <std::size_t N>
-Moving<N> movingAt(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+Moving<N> movingAt(const arm::Mechanism& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
   const chain::Kinematics at = chain::kinematics(arm.chain, q);
   Moving<N> moving;
   moving.p_WT = at.X_WT.translation();
@@ -115,7 +114,7 @@ std::array<Pose, sizeof...(I)> homesOf(std::index_sequence<I...>) noexcept UNDER
 
 /// The inertia of the links in the joints.
 template <std::size_t N>
-Square<N> inertiaOf(const arm::GeneralArm& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+Square<N> inertiaOf(const arm::Mechanism& arm, const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
   const std::size_t count = std::min(N, arm.chain.joints.size());
   std::array<Pose, N> links = homesOf(std::make_index_sequence<N>());
   chain::forward(arm.chain, q, links);
@@ -149,12 +148,12 @@ struct Period {
 };
 
 bool weighsLinks(const Plant& plant) noexcept UNDERACT_REAL_TIME {
-  return plant.model.of_links && !plant.arm.geometry.general->masses.empty();
+  return plant.model.of_links && !plant.arm.geometry.mechanism->masses.empty();
 }
 
 template <std::size_t N>
 Period<N> periodOf(const Plant& plant, const PlantState& state) noexcept UNDERACT_REAL_TIME {
-  const arm::GeneralArm& arm = *plant.arm.geometry.general;
+  const arm::Mechanism& arm = *plant.arm.geometry.mechanism;
   const Moving<N> at = movingAt<N>(arm, state.q_rad);
   Period<N> period;
   if (weighsLinks(plant)) {
@@ -231,7 +230,7 @@ Column<N> ratesAfter(const Plant& plant, const Period<N>& period, const Moving<N
 
 /// The torques of the motors for what they render.
 template <std::size_t N>
-Column<N> torquesOf(const arm::GeneralArm& arm, const Moving<N>& at, const Pushed& pushed) noexcept UNDERACT_REAL_TIME {
+Column<N> torquesOf(const arm::Mechanism& arm, const Moving<N>& at, const Pushed& pushed) noexcept UNDERACT_REAL_TIME {
   Column<N> tau = at.J_v.transpose() * pushed.f_T_W;
   if (pushed.m_T_W != Vec3::Zero()) tau += at.J_w.transpose() * pushed.m_T_W;
   for (std::size_t joint = 0; joint < N; ++joint) {
@@ -253,8 +252,8 @@ void move(const Plant& plant, double dt_s, const Column<N>& mean, Column<N>& dq,
 }
 
 template <std::size_t N>
-PlantState restAt(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_TIME {
-  const arm::GeneralArm& arm = *plant.arm.geometry.general;
+PlantState jointsAtRest(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_TIME {
+  const arm::Mechanism& arm = *plant.arm.geometry.mechanism;
   PlantState state;
   state.q_rad = arm::withinLimits(plant.arm.limits, arm.rest);
   state.p_WT = movingAt<N>(arm, state.q_rad).p_WT;
@@ -285,8 +284,7 @@ PlantState restAt(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_T
 template <std::size_t N>
 PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& setpoint,
                      std::int64_t period_ns) noexcept UNDERACT_REAL_TIME {
-  const arm::GeneralArm& arm = *plant.arm.geometry.general;
-  const PlantState before = state;
+  const arm::Mechanism& arm = *plant.arm.geometry.mechanism;
   const Period<N> period = periodOf<N>(plant, state);
   Column<N> dq = Eigen::Map<const Column<N>>(state.dq.data());
   const double travel_begin = sharesOf(plant.integration.integrator).travel_begin;
@@ -308,28 +306,17 @@ PlantState advanceBy(const Plant& plant, PlantState state, const Pushed& pushed,
   state.p_WT = at.p_WT;
   state.v_WT = at.J_v * dq;
   std::copy_n(dq.data(), N, state.dq.begin());
-  if (dq.allFinite() && at.p_WT.allFinite() && state.v_WT.allFinite()) return state;
-  state = before;  // an overflow
-  state.v_WT.setZero();
-  state.dq = {};
   return state;
 }
 
-/// Whether six joints are enough for it.
-bool hasUpToSix(const Plant& plant) noexcept UNDERACT_REAL_TIME {
-  return plant.arm.geometry.general->chain.joints.size() <= 6;
+/// An encoder measures its own joint.
+arm::JointAngles ownAngles(const arm::JointAngles& q) noexcept UNDERACT_REAL_TIME {
+  return q;
 }
 
 }  // namespace
 
-PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept {
-  return hasUpToSix(plant) ? restAt<6>(plant, p_WT) : restAt<arm::kMaxJoints>(plant, p_WT);
-}
-
-PlantState advanceJoints(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& setpoint,
-                         std::int64_t period_ns) noexcept {
-  return hasUpToSix(plant) ? advanceBy<6>(plant, state, pushed, setpoint, period_ns)
-                           : advanceBy<arm::kMaxJoints>(plant, state, pushed, setpoint, period_ns);
-}
+const Mechanics kSixJointMechanics{jointsAtRest<6>, advanceBy<6>, ownAngles, ownAngles};
+const Mechanics kJointMechanics{jointsAtRest<arm::kMaxJoints>, advanceBy<arm::kMaxJoints>, ownAngles, ownAngles};
 
 }  // namespace underact::sim

@@ -132,7 +132,7 @@ Result<SceneTrialResult> tryOne(const SceneWall& wall, const scene::Description&
 Result<SceneTrialResult> tryScene(const SceneWall& wall, double stiffness_N_per_m) {
   const Result<scene::Description> one = lab::onlyOne(wall.scene, wall.constraint);
   if (!one) return one.problems();
-  if (!arm::isOmniForm(scene::armOf(wall.scene)))
+  if (!arm::solvesInTick(scene::armOf(wall.scene).geometry))
     return Problems{
         {phrase(TRANSLATE_NOOP("problem",
                                "The trial pushes a mass at the tip, as haptic arms have one; the arm \"%1\" "

@@ -1,8 +1,7 @@
 #include "core/tick/motion.h"
 
-#include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
 #include "core/arm/jacobian.h"
+#include "core/arm/mechanism.h"
 #include "core/base/units.h"
 
 namespace underact::tick {
@@ -25,65 +24,32 @@ GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_a
   return {input.period_s, input.waited_s, safety::travelTime_s(by_arm_s, since_s)};
 }
 
-void watchJoints(const arm::JointLimits& limits, const arm::JointAngles& q_rad, const Mat3& J_p,
-                 safety::Motion& motion) noexcept {
-  motion.count = 3;
-  for (std::size_t joint = 0; joint < 3; ++joint) {
-    safety::DrivenJoint& driven = motion.joints[joint];
-    driven.J_v = J_p.col(static_cast<Eigen::Index>(joint));
-    driven.room_below_rad = q_rad[joint] - limits.min_rad[joint];
-    driven.room_above_rad = limits.max_rad[joint] - q_rad[joint];
+void watchJoints(const arm::Watched& watched, const arm::JointLimits& limits, const arm::JointAngles& q_rad,
+                 const chain::Jacobian& J, safety::Motion& motion) noexcept {
+  motion.count = watched.count;
+  for (std::size_t i = 0; i < watched.count; ++i) {
+    const std::size_t joint = watched.joint[i];
+    const auto column = J.col(static_cast<Eigen::Index>(joint));
+    const double scale = watched.slides[i] ? kSlide_rad_per_m : 1.0;
+    motion.joints[i] = {column.head<3>(), column.tail<3>(), scale * (q_rad[joint] - limits.min_rad[joint]),
+                        scale * (limits.max_rad[joint] - q_rad[joint])};
   }
 }
-
-namespace {
-
-void computeGeneral(const TickProgram& program, const arm::GeneralArm& arm, const arm::JointAngles& q_rad,
-                    TickReport& report, safety::Motion& motion) noexcept UNDERACT_REAL_TIME {
-  const chain::Kinematics at = chain::kinematics(arm.chain, q_rad);
-  report.p_WT = at.X_WT.translation();
-  if (program.needs.orientation) {
-    report.R_WT = at.X_WT.linear();
-    report.stylus_W = at.X_WT.linear().col(2);
-  }
-  motion.count = program.watched.count;
-  motion.turns = program.needs.moment;
-  motion.renders_all = false;
-  motion.renders = arm::renderable(arm, at.J);
-  if (motion.turns) motion.renders_wrench = arm::renderableWrench(at.J, safety::kMomentArm_m);
-  for (std::size_t i = 0; i < motion.count; ++i) {
-    const std::size_t joint = program.watched.joint[i];
-    const auto column = at.J.col(static_cast<Eigen::Index>(joint));
-    const double scale = arm.chain.joints[joint].type == chain::JointType::Prismatic ? kSlide_rad_per_m : 1.0;
-    motion.joints[i] = {column.head<3>(), column.tail<3>(),
-                        scale * (q_rad[joint] - program.joint_limits.min_rad[joint]),
-                        scale * (program.joint_limits.max_rad[joint] - q_rad[joint])};
-  }
-}
-
-}  // namespace
 
 void computeKinematics(const TickProgram& program, const arm::JointAngles& q_rad, TickReport& report,
                        safety::Motion& motion) noexcept {
-  if (program.geometry.general != nullptr) {
-    computeGeneral(program, *program.geometry.general, q_rad, report, motion);
-    return;
+  const Needs& needs = program.needs;
+  const arm::Kinematics at = arm::kinematics(program.geometry, q_rad, {needs.orientation, needs.motors});
+  report.p_WT = at.X_WT.translation();
+  if (needs.orientation) {
+    report.R_WT = at.X_WT.linear();
+    report.stylus_W = at.X_WT.linear().col(2);
   }
-  Mat3 J_p = Mat3::Zero();
-  if (program.needs.orientation) {
-    const Pose X_WT = arm::tipPose(program.geometry, q_rad);
-    report.p_WT = X_WT.translation();
-    report.R_WT = X_WT.linear();
-    report.stylus_W = X_WT.linear().col(2);
-    if (program.needs.motors) J_p = arm::positionJacobian(program.geometry, q_rad);
-  } else if (program.needs.motors) {
-    const arm::Tip tip = arm::tip(program.geometry, q_rad);
-    report.p_WT = tip.p_WT;
-    J_p = tip.J_p;
-  } else {
-    report.p_WT = arm::tipPosition(program.geometry, q_rad);
-  }
-  if (program.needs.motors) watchJoints(program.joint_limits, q_rad, J_p, motion);
+  if (needs.motors) watchJoints(program.watched, program.joint_limits, q_rad, at.J, motion);
+  motion.turns = needs.moment && program.watched.turn;
+  motion.renders_all = program.watched.push_freely;
+  if (!motion.renders_all) motion.renders = arm::renderable(*program.geometry.mechanism, at.J);
+  if (motion.turns) motion.renders_wrench = arm::renderableWrench(at.J, safety::kMomentArm_m);
 }
 
 void computeMotion(const arm::JointAngles& q_rad, const TickState& before, double dt_s, const Vec3& p_WT,

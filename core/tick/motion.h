@@ -1,4 +1,5 @@
 #pragma once
+#include "core/arm/mechanism.h"
 #include "core/base/real_time.h"
 #include "core/tick/report.h"
 #include "core/tick/state.h"
@@ -26,9 +27,9 @@ struct GateTime {
 GateTime gateTimeOf(const TickInput& input, const TickState& before, double by_arm_s,
                     double law_dt_s) noexcept UNDERACT_REAL_TIME;
 
-/// The first three joints of the Omni's kind, which have motors: J_p moves the tip for their rates.
-void watchJoints(const arm::JointLimits& limits, const arm::JointAngles& q_rad, const Mat3& J_p,
-                 safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
+/// The driven joints: how they move the tip by their columns of J, and their distances from their stops.
+void watchJoints(const arm::Watched& watched, const arm::JointLimits& limits, const arm::JointAngles& q_rad,
+                 const chain::Jacobian& J, safety::Motion& motion) noexcept UNDERACT_REAL_TIME;
 
 /// Computes the position of the tip, the direction of the stylus where a target needs it, and of the driven joints what
 /// the gate needs: what they render, and their distances from their stops.

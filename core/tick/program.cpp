@@ -21,13 +21,12 @@ TickProgram makeProgram(const arm::Geometry& geometry, std::vector<Entry> entrie
     program.needs.energy |= entry.passivity != control::Passivity::Off;
     program.needs.joints |= entry.space == Space::Joint;
   }
-  program.needs.motors = limits.edge_rad > 0.0 || limits.thermal.continuous_N_m != safety::PerDriven{};
+  program.watched = arm::watchedJoints(geometry);
+  program.needs.motors = limits.edge_rad > 0.0 || limits.thermal.continuous_N_m != safety::PerDriven{} ||
+                         limits.max_torque_N_m != safety::kNoTorqueLimits;
+  program.needs.moment = program.needs.robots && program.watched.turn;
   program.needs.more_joints = arm::jointsOf(geometry) > 6;
-  if (geometry.general != nullptr) {
-    program.watched = arm::watchedJoints(*geometry.general);
-    program.needs.moment = program.needs.robots && geometry.general->renders_moment;
-    program.needs.more_motors = program.watched.count > 3;
-  }
+  program.needs.more_motors = program.watched.count > 3;
   program.needs.choice = combine == Combine::Nearest && program.entries.size() > 1;
   return program;
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/preset.h"
 #include "core/control/law.h"
 #include "core/control/passivity.h"
@@ -56,7 +56,7 @@ struct TickProgram {
   std::vector<Entry> entries;  // 1 to kMaxConstraints
   Combine combine = Combine::Sum;
   safety::Limits limits;
-  arm::Watched watched = {};  // of an arm that is not of the Omni's form
+  arm::Watched watched = {};
 };
 
 /// entries: 1 to kMaxConstraints. The needs follow from the entries.

@@ -14,7 +14,8 @@ TickReport evaluateAtRest(const TickProgram& program, const Vec3& p_WT, const Ma
     // An arm of length 0 whose base is at the position of the tip: its tip is there to the last bit, also for positions
     // that the real arm cannot reach.
     there.geometry = {0.0, 0.0, p_WT};
-    if (program.geometry.general != nullptr) there.joint_limits = arm::kNoJointLimits;
+    there.joint_limits = arm::kNoJointLimits;
+    there.watched = arm::watchedJoints(there.geometry);
   }
   if (program.needs.orientation) input.sample.q_rad = arm::solveWrist(input.sample.q_rad, R_WT);
   TickState state = makeState(there);

@@ -116,7 +116,7 @@ void carryOver(const TickProgram& last_program, const TickState& last, const Tic
                Carry what, std::int64_t over_ticks) noexcept {
   carryOver(last, next, what, over_ticks);
   const arm::Geometry &from = last_program.geometry, &to = next_program.geometry;
-  if ((from.general != nullptr || to.general != nullptr) && !(from == to)) next.has_time = false;
+  if (!(solvesInTick(from) && solvesInTick(to)) && !(from == to)) next.has_time = false;
 }
 
 void carryTargets(TickProgram& program, TickState& state) noexcept {

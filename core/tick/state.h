@@ -67,8 +67,8 @@ enum class Carry : std::uint8_t { Arm, ArmAndLaws, ArmAndMovedLaws };
 /// can be carried; a target on its way to a place that stays the same goes on.
 void carryOver(const TickState& last, TickState& next, Carry what = Carry::ArmAndLaws,
                std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
-/// Carries over between two programs. Where they are for two arms of which one is not of the Omni's form, the tip's
-/// last position means nothing to the next: the way between the two is no motion.
+/// Carries over between two programs. Where they are for two arms of which one does not solvesInTick(), the tip's last
+/// position means nothing to the next: the way between the two is no motion.
 void carryOver(const TickProgram& last_program, const TickState& last, const TickProgram& next_program, TickState& next,
                Carry what, std::int64_t over_ticks = 0) noexcept UNDERACT_REAL_TIME;
 

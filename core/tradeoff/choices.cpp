@@ -13,9 +13,8 @@ bool always(const scene::Description&) {
   return true;
 }
 
-/// The closed form of the arm's own joints is that of the Omni's family.
-bool isOmni(const scene::Description& scene) {
-  return arm::isOmniForm(scene::armOf(scene));
+bool solvesInTick(const scene::Description& scene) {
+  return arm::solvesInTick(scene::armOf(scene).geometry);
 }
 
 /// Whether a law damps in Cartesian space: one in joint space has joint rates, for which there is no reference here.
@@ -145,7 +144,7 @@ std::span<const Choice> choices() {
        "unfiltered, one encoder step is 55 mm/s", filters(), dampsInPlace, alike<&Settings::velocity>, velocityOn},
       {"inverse", "How are the arm's own joints found for a pose?", "one pose, starting from the last joint angles",
        "the position of the tip", "mm", 1e-9, "a thousand times the rounding error of the closed form", inverses(),
-       isOmni, alike<&Settings::inverse_steps>, inverseOn},
+       solvesInTick, alike<&Settings::inverse_steps>, inverseOn},
       {"blocks", "How much of a recording is written at a time?", "a row of the recording",
        "what is lost at most if the process is killed, apart from the 0.02 s between two reads of the recorder", "s",
        0.125, "0.25 s is promised, and a busy machine may delay the writer by as much again", blocks(), always,

@@ -163,9 +163,10 @@ void ArmSide::tick() noexcept {
   safety::Motion& motion = asked.motion;
   Vec3 displacement_T_W = Vec3::Zero();
   if (fault.kind == FaultKind::None) {
-    const Vec3 p_WT = arm::tipPosition(options_.geometry, message.sample.q_rad);
-    tick::watchJoints(options_.joint_limits, message.sample.q_rad,
-                      arm::positionJacobian(options_.geometry, message.sample.q_rad), motion);
+    const arm::JointAngles& q_rad = message.sample.q_rad;
+    const arm::Kinematics at = arm::kinematics(options_.geometry, q_rad, {false, true});
+    const Vec3 p_WT = at.X_WT.translation();
+    tick::watchJoints(arm::watchedJoints(options_.geometry), options_.joint_limits, q_rad, at.J, motion);
     if (has_last_) {
       const Vec3 gone_T_W = p_WT - p_WT_;
       if (dt_s > 0.0) displacement_T_W = gone_T_W;

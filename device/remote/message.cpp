@@ -11,6 +11,7 @@ namespace {
 
 static_assert(std::numeric_limits<double>::is_iec559);
 
+constexpr std::size_t kJoints = 6;  // of every device
 constexpr std::array<std::uint8_t, 4> kMark{'U', 'A', 'R', 'M'};
 enum Kind : std::uint8_t { kSample = 1, kForce, kHello, kWelcome, kWords, kBye };
 enum Flag : std::uint32_t {
@@ -119,7 +120,7 @@ std::vector<std::uint8_t> written(const SampleMessage& message) {
   Writer writer(kSample);
   writer.put(message.sequence);
   writer.put(static_cast<std::uint64_t>(message.sample.time_ns));
-  for (const double angle_rad : arm::firstSix(message.sample.q_rad)) writer.putNumber(angle_rad);
+  for (const double angle_rad : std::span(message.sample.q_rad).first<kJoints>()) writer.putNumber(angle_rad);
   writer.put(message.sample.buttons);
   writer.put(message.sample.epoch);
   writer.put(message.has_sample ? std::uint32_t{kHasSample} : 0U);
@@ -171,7 +172,7 @@ SampleMessage takeSample(Reader& reader) {
   SampleMessage message;
   message.sequence = reader.take<std::uint64_t>();
   message.sample.time_ns = static_cast<std::int64_t>(reader.take<std::uint64_t>());
-  for (double& angle_rad : arm::firstSix(message.sample.q_rad)) angle_rad = reader.takeNumber();
+  for (double& angle_rad : std::span(message.sample.q_rad).first<kJoints>()) angle_rad = reader.takeNumber();
   message.sample.buttons = reader.take<std::uint32_t>();
   message.sample.epoch = reader.take<std::uint32_t>();
   message.has_sample = reader.takeFlags(kHasSample) != 0;

@@ -101,7 +101,7 @@ TEST(SimulatedArm, ShowsStepsOrExactAnglesAsItsModelSays) {
   arm::Sample coarse, fine;
   stepped.read(coarse);
   exact.read(fine);
-  EXPECT_EQ(coarse.q_rad, sim::quantized(arm::findPreset("touch-measured")->counts_per_turn, fine.q_rad));
+  EXPECT_EQ(coarse.q_rad, sim::quantized(*arm::findPreset("touch-measured"), fine.q_rad));
   EXPECT_NE(coarse.q_rad, fine.q_rad);
 }
 

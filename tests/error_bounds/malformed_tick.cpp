@@ -44,7 +44,7 @@ void spoil(Input& input, tick::TickInput& at) {
   const auto odd = [&] { return input.number("odd", drawOdd); };
   if (field < 6) at.sample.q_rad[field] = odd();
   if (field == 6) {
-    for (double& angle_rad : arm::firstSix(at.sample.q_rad)) angle_rad = odd();
+    for (double& angle_rad : std::span(at.sample.q_rad).first<6>()) angle_rad = odd();
   }
   if (field == 7) at.sample.time_ns = drawTime(input, at.sample.time_ns);
   if (field == 8) {

@@ -253,11 +253,11 @@ BREAKAGES = [
     ),
     Breakage(
         says="a joint without a motor passes torque on",
-        file="core/arm/general_arm.cpp",
+        file="core/arm/mechanism.cpp",
         old="  return reached - slack;",
         new="  return slack.isZero() ? slack : reached;",
         program="arm_test",
-        only="GeneralArm.*",
+        only="Mechanism.*",
     ),
     Breakage(
         says="the simulated arm drives joints that have no motor",
@@ -278,7 +278,7 @@ BREAKAGES = [
     Breakage(
         says="a force out of a planar arm's plane is sent",
         file="core/tick/motion.cpp",
-        old="motion.renders_all = false;",
+        old="motion.renders_all = program.watched.push_freely;",
         new="motion.renders_all = true;",
         program="tick_test",
         only="Arms.*",
@@ -286,8 +286,8 @@ BREAKAGES = [
     Breakage(
         says="the heat of driven joints beyond the third is not watched",
         file="core/tick/motion.cpp",
-        old="motion.count = program.watched.count;",
-        new="motion.count = std::min<std::size_t>(3, program.watched.count);",
+        old="motion.count = watched.count;",
+        new="motion.count = std::min<std::size_t>(3, watched.count);",
         program="tick_test",
         only="Arms.*",
     ),
@@ -317,15 +317,15 @@ BREAKAGES = [
     ),
     Breakage(
         says="a moment is sent by an arm whose motors do not render it",
-        file="core/arm/general_arm.cpp",
+        file="core/arm/mechanism.cpp",
         old="  if (joints < 6 || !std::all_of",
         new="  if (joints < 6 && !std::all_of",
         program="arm_test",
-        only="GeneralArm.*",
+        only="Mechanism.*",
     ),
     Breakage(
         says="at a joint's stop the tip may not come back either",
-        file="core/sim/plant.cpp",
+        file="core/sim/tip_plant.cpp",
         old="std::max(0.0, state.v_WT.dot(out_W)) * out_W",
         new="state.v_WT.dot(out_W) * out_W",
         program="sim_test",

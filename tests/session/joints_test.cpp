@@ -33,7 +33,7 @@ struct Rig {
     host->start();
   }
   void turn(double last_rad) {
-    arm::JointAngles q = arm::findPreset("panda")->geometry.general->rest;
+    arm::JointAngles q = arm::findPreset("panda")->geometry.mechanism->rest;
     q[6] = last_rad;
     const Pose X_WT = arm::tipPose(arm::findPreset("panda")->geometry, q);
     hand->setSetpoint({X_WT.translation(), Vec3::Zero(), X_WT.linear(), true, true, q});

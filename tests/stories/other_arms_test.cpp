@@ -9,7 +9,7 @@
 
 #include "core/arm/arm_text.h"
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/model.h"
 #include "core/base/units.h"
 #include "core/scene/scene_arm.h"
@@ -40,7 +40,7 @@ TEST(OtherArmsStory, EachSceneOpensFreeOfFaultsWithItsArmAtRest) {
     EXPECT_EQ(snapshot.report.fault.kind, FaultKind::None) << name.toStdString();
     EXPECT_EQ(snapshot.mode, servo::Mode::Running);
     const arm::Preset& preset = scene::armOf(story.window().document().scene());
-    const Vec3 p_WRest = arm::tipPosition(preset.geometry, preset.geometry.general->rest);
+    const Vec3 p_WRest = arm::tipPosition(preset.geometry, preset.geometry.mechanism->rest);
     EXPECT_LT((snapshot.report.p_WT - p_WRest).norm(), 0.02) << name.toStdString();
   }
 }

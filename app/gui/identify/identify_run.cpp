@@ -60,7 +60,7 @@ Problems IdentifyRun::refusalNow() const {
   if (!parts_.document.isOpen())
     return Problems{
         {phrase(QT_TRANSLATE_NOOP("problem", "Open a scene first. It is restored after the measurement."))}};
-  if (!arm::isOmniForm(scene::armOf(parts_.document.scene())))
+  if (!arm::isDevice(scene::armOf(parts_.document.scene())))
     return Problems{{phrase(QT_TRANSLATE_NOOP("problem",
                                               "Only arms with the geometry of table 3.1 of the thesis can be measured. "
                                               "Open a scene for one of them."))}};

@@ -6,6 +6,7 @@
 #include "app/gui/kinematics/distance_bar.h"
 #include "app/gui/kinematics/joint_row.h"
 #include "app/gui/kinematics/sections.h"
+#include "app/gui/kit/message_label.h"
 #include "app/gui/kit/number_table.h"
 #include "core/base/units.h"
 
@@ -35,7 +36,7 @@ void JointsSection::setArm(const arm::Preset& preset, const arm::Model& model) {
     const bool slides = model.rows[joint].type == chain::JointType::Prismatic;
     const bool driven = model.joints[joint].driven;
     const int number = static_cast<int>(joint) + 1;
-    if (arm::isOmniForm(preset)) {
+    if (arm::isDevice(preset)) {
       rows_[joint]->setJoint(names[joint],
                              (driven ? tr("Angle q%1 of thesis table 3.1: measured and driven.")
                                      : tr("Angle q%1 of thesis table 3.1: measured, not driven."))

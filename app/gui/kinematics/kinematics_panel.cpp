@@ -117,16 +117,15 @@ void KinematicsPanel::sceneOpened() {
   geometry_ = preset.geometry;
   limits_ = preset.limits;
   preset_ = preset;
-  const bool omni = arm::isOmniForm(preset);
-  finder_ = SolutionFinder(preset, model_);
+  const bool is_named = arm::solvesInTick(geometry_);
+  finder_ = SolutionFinder(model_);
   joints_->setArm(preset, model_);
   dh_->setArm(model_);
   jacobian_->setArm(preset, model_);
-  solutions_->setArm(model_, omni);
-  // What the Omni's table alone has: named singularities, and a convention of the device.
-  singularities_->setVisible(omni);
-  angles_->setVisible(omni);
-  if (omni) singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
+  solutions_->setArm(model_, is_named);
+  singularities_->setVisible(is_named);
+  angles_->setVisible(arm::isDevice(preset));
+  if (is_named) singularities_->setReach(geometry_.upper_m + geometry_.fore_m);
   scale_->setText(tr("v: displacement of the tip for 0.25 rad of joint rotation. f: force for %1 N m.")
                       .arg(localNumber(ellipsoidTorque_N_m(preset_, model_), 'g', 3)));
   setpoint_.reset();
@@ -162,8 +161,7 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
   travel(now_ns);
   settleArm(now_ns);
   if (!isSeen() || !isDue(snapshot)) return;
-  const bool omni = arm::isOmniForm(preset_);
-  const KinematicsNow now = kinematicsNow(preset_, model_, finder_, q_rad);
+  const KinematicsNow now = kinematicsNow(preset_, finder_, q_rad);
   joints_->setMovable(
       parts_.player.isOpen()               ? tr("The replay moves the arm. Close the session to use the sliders.")
       : parts_.arms.simulated() == nullptr ? tr("A real arm is moved by hand: the sliders only show its joint angles.")
@@ -171,10 +169,8 @@ void KinematicsPanel::present(const servo::Snapshot& snapshot) {
                                    : tr("The servo is running. Press Stop (Esc) to move the arm with the sliders."));
   joints_->present(now);
   joints_->setRemark(whyNotAsTyped());
-  if (omni) {
-    singularities_->present(now);
-    angles_->present(now);
-  }
+  if (arm::solvesInTick(geometry_)) singularities_->present(now);
+  angles_->present(now);
   solutions_->present(now);
   solutions_->setMovable(whyNotTo(solutions_->chosen()));
   dh_->present(now, model_);
@@ -265,8 +261,7 @@ void KinematicsPanel::moveArm(const arm::JointAngles& q_rad) {
   device::SimulatedArm* const arm = parts_.arms.simulated();
   setpoint_rad_ = arm::withinLimits(limits_, q_rad);
   const Pose X_WT = arm::tipPose(geometry_, setpoint_rad_);
-  setpoint_ = sim::HandSetpoint{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true, true, {}};
-  if (!arm::isOmniForm(preset_)) setpoint_->posture = setpoint_rad_;
+  setpoint_ = sim::HandSetpoint{X_WT.translation(), Vec3::Zero(), X_WT.linear(), true, true, setpoint_rad_};
   arm->setSetpoint(*setpoint_);
   is_settled_ = false;
   rests_ns_ = commanded_ns_ = -1;

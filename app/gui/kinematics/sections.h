@@ -54,13 +54,13 @@ class SingularitiesSection : public Section {
   DistanceBar *shoulder_, *elbow_, *wrist_;
 };
 
-/// The inverse solutions for the pose of the stylus; one can be selected. Of an arm of the Omni's form by their
+/// The inverse solutions for the pose of the stylus; one can be selected. Of an arm that solvesInTick() by their
 /// branches, which are always eight; of any other as a list of joint values, as long as there are solutions.
 class SolutionsSection : public Section {
   Q_OBJECT
  public:
   explicit SolutionsSection(QWidget* parent = nullptr);
-  void setArm(const arm::Model& model, bool is_omni);
+  void setArm(const arm::Model& model, bool is_named);
   void present(const KinematicsNow& now);
   /// number: 1 to most(); 0: none.
   void choose(int number);
@@ -86,7 +86,7 @@ class SolutionsSection : public Section {
   QString valuesText(const NumberedSolution& solution, int decimals, bool with_units) const;
 
   arm::Model model_;
-  bool is_omni_ = true;
+  bool is_named_ = true;
   int rows_ = -1;
   QLabel *status_, *angles_;
   QTableWidget* table_;

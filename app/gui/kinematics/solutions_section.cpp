@@ -17,9 +17,9 @@
 namespace underact::gui {
 namespace {
 
-constexpr int kOmniRows = 8;
+constexpr int kNamedRows = 8;
 constexpr double kSameAngle_rad = 1e-6;
-/// The columns: the branch of an arm of the Omni's form, the joint values of any other.
+/// The columns: the branch of solutions with names, the joint values of others.
 enum SolutionColumn { kNumber, kShoulder, kElbow, kWrist, kValues, kLimits, kSolutionColumns };
 
 const QString kMinus = QString(QChar(0x2212));
@@ -191,7 +191,7 @@ void SolutionsSection::buildTable() {
   for (int row = 0; row < kMaxSolutions; ++row) {
     std::array<QString, kSolutionColumns> texts;
     texts[kNumber] = QString::number(row + 1);
-    if (row < kOmniRows) {
+    if (row < kNamedRows) {
       const arm::Branch branch = branchOf(row + 1);
       texts[kShoulder] = signText(branch.shoulder);
       texts[kElbow] = signText(branch.elbow);
@@ -205,19 +205,19 @@ void SolutionsSection::buildTable() {
   }
 }
 
-void SolutionsSection::setArm(const arm::Model& model, bool is_omni) {
+void SolutionsSection::setArm(const arm::Model& model, bool is_named) {
   table_->clearSelection();
   model_ = model;
-  is_omni_ = is_omni;
-  for (const int column : {kShoulder, kElbow, kWrist}) table_->setColumnHidden(column, !is_omni);
-  table_->setColumnHidden(kValues, is_omni);
+  is_named_ = is_named;
+  for (const int column : {kShoulder, kElbow, kWrist}) table_->setColumnHidden(column, !is_named);
+  table_->setColumnHidden(kValues, is_named);
   QStringList widest;
   for (std::size_t joint = 0; joint < model.rows.size(); ++joint) widest << kMinus + "000";
   table_->setColumnWidth(kValues, fontMetrics().horizontalAdvance(widest.join(", ")) + 12);
-  table_->setMinimumWidth(is_omni ? 0 : table_->columnWidth(kNumber) + table_->columnWidth(kValues) + limitsWidth());
-  status_->setMinimumHeight((is_omni ? 2 : 3) * fontMetrics().lineSpacing());
-  angles_->setFixedHeight((is_omni ? 2 : 4) * fontMetrics().lineSpacing());
-  showRows(is_omni ? kOmniRows : 0);
+  table_->setMinimumWidth(is_named ? 0 : table_->columnWidth(kNumber) + table_->columnWidth(kValues) + limitsWidth());
+  status_->setMinimumHeight((is_named ? 2 : 3) * fontMetrics().lineSpacing());
+  angles_->setFixedHeight((is_named ? 2 : 4) * fontMetrics().lineSpacing());
+  showRows(is_named ? kNamedRows : 0);
 }
 
 /// Of the longest text that is usual there; that of a family is longer.
@@ -261,13 +261,13 @@ void SolutionsSection::present(const KinematicsNow& now) {
   q_rad_ = now.q_rad;
   const QString status = statusText(solutions_);
   if (status_->text() != status) status_->setText(status);
-  if (!is_omni_) showRows(solutions_.all.empty() ? 0 : std::min(kMaxSolutions, solutions_.all.back().number));
+  if (!is_named_) showRows(solutions_.all.empty() ? 0 : std::min(kMaxSolutions, solutions_.all.back().number));
   for (int row = 0; row < rows_; ++row) {
     const NumberedSolution* const one = solutions_.find(row + 1);
     // No separate solution: it coincides with another one at a singularity.
     const QString none = QString(QChar(0x2013));
     const QString limits = one != nullptr ? limitsText(*one, isArm(*one)) : none;
-    const QString values = is_omni_ || one == nullptr ? QString() : valuesText(*one, 0, false);
+    const QString values = is_named_ || one == nullptr ? QString() : valuesText(*one, 0, false);
     for (const auto& [column, text] : {std::pair{kLimits, limits}, {kValues, values}}) {
       QTableWidgetItem* const item = table_->item(row, column);
       if (item->text() != text) item->setText(text);
@@ -281,12 +281,12 @@ void SolutionsSection::showChosen() {
   if (const int number = chosen(); number > 0) {
     const NumberedSolution* const found = solutions_.find(number);
     if (found == nullptr) {
-      text = is_omni_ ? tr("Solution %1 does not exist here: at a singularity, two solutions coincide.").arg(number)
-                      : tr("Solution %1 does not exist here.").arg(number);
+      text = is_named_ ? tr("Solution %1 does not exist here: at a singularity, two solutions coincide.").arg(number)
+                       : tr("Solution %1 does not exist here.").arg(number);
     } else {
       text = QString("q = %1").arg(valuesText(*found, 1, true));
       if (!found->family.empty()) text += "; " + familyText(*found);
-      if (!is_omni_) {
+      if (!is_named_) {
         if (const QString branch = branchText(*found); !branch.isEmpty()) text += "; " + branch;
         for (const std::vector<double>& free : found->null_space) {
           QStringList shares;

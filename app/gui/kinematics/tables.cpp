@@ -146,10 +146,10 @@ JacobianSection::JacobianSection(QWidget* parent)
 }
 
 void JacobianSection::setArm(const arm::Preset& preset, const arm::Model& model) {
-  const bool omni = arm::isOmniForm(preset);
+  const bool moves_by_three = arm::watchedJoints(preset.geometry).push_freely;
   whole_->showOnly(6, static_cast<int>(model.rows.size()));
-  only_position_->setVisible(omni);
-  if (!omni) only_position_->setChecked(false);
+  only_position_->setVisible(moves_by_three);
+  if (!moves_by_three) only_position_->setChecked(false);
 }
 
 void JacobianSection::present(const KinematicsNow& now) {

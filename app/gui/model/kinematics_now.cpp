@@ -3,34 +3,25 @@
 #include <cmath>
 
 #include "core/arm/sample.h"
-#include "core/chain/kinematics.h"
 
 namespace underact::gui {
 
-KinematicsNow kinematicsNow(const arm::Preset& preset, const arm::Model& model, const SolutionFinder& finder,
-                            const arm::JointAngles& q) {
+KinematicsNow kinematicsNow(const arm::Preset& preset, const SolutionFinder& finder, const arm::JointAngles& q) {
   KinematicsNow now;
   now.q_rad = q;
-  if (arm::isOmniForm(preset)) {
-    now.device_rad = arm::deviceFromDh(q);
-    const arm::Kinematics kinematics = arm::kinematics(preset.geometry, q);
-    now.X_WT = kinematics.X_WT;
-    now.J = kinematics.J;
-    now.dexterity = arm::dexterity(preset.geometry, q);
-  } else {
-    const chain::Kinematics kinematics = chain::kinematics(model.chain, q);
-    now.X_WT = kinematics.X_WT;
-    now.J = kinematics.J;
-    now.dexterity = arm::dexterityOf(preset.geometry, q);
-  }
-  now.J_p = arm::positionJacobian(preset.geometry, q);
+  now.device_rad = arm::deviceFromDh(q);
+  const arm::Kinematics kinematics = arm::kinematics(preset.geometry, q);
+  now.X_WT = kinematics.X_WT;
+  now.J = kinematics.J;
+  now.dexterity = arm::dexterityOf(preset.geometry, q);
+  now.J_p = now.dexterity.J;
   now.distances = arm::singularityDistances(preset.geometry, q);
   now.solutions = finder.at(now.X_WT);
   return now;
 }
 
 double ellipsoidTorque_N_m(const arm::Preset& preset, const arm::Model& model) {
-  if (arm::isOmniForm(preset)) return kOmniTorque_N_m;
+  if (arm::isDevice(preset)) return kOmniTorque_N_m;
   const arm::Preset& omni = *arm::findPreset(arm::kDefaultArm);
   const double size = chain::reachOf(model.chain) / chain::reachOf(arm::findModel(arm::kDefaultArm)->chain);
   const double wanted_N_m = kOmniTorque_N_m * preset.continuous_force_N / omni.continuous_force_N * size;

@@ -1,14 +1,13 @@
 #pragma once
 #include "app/gui/model/numbered_solutions.h"
 #include "core/arm/jacobian.h"
-#include "core/arm/model.h"
 
 namespace underact::gui {
 
 /// Everything that the kinematics panel shows for one instant.
 struct KinematicsNow {
   arm::JointAngles q_rad{};
-  arm::JointAngles device_rad{};  // of an arm of the Omni's form
+  arm::JointAngles device_rad{};  // of a device
   Pose X_WT = Pose::Identity();
   chain::Jacobian J;  // a column for each joint
   Mat3 J_p = Mat3::Zero();
@@ -18,8 +17,7 @@ struct KinematicsNow {
 };
 
 /// finder: of the same arm.
-KinematicsNow kinematicsNow(const arm::Preset& preset, const arm::Model& model, const SolutionFinder& finder,
-                            const arm::JointAngles& q);
+KinematicsNow kinematicsNow(const arm::Preset& preset, const SolutionFinder& finder, const arm::JointAngles& q);
 
 // Below these limits a singularity counts as near. Shoulder: the tip then moves less than 20 mm per rad of joint 1,
 // where statics.h begins to damp. Elbow and wrist: 1 / sin(15 degrees) is about four, so a joint turns about four times

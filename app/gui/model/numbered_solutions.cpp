@@ -38,45 +38,21 @@ const NumberedSolution* NumberedSolutions::find(int number) const {
   return found == all.end() ? nullptr : &*found;
 }
 
-SolutionFinder::SolutionFinder(const arm::Preset& preset, const arm::Model& model)
-    : is_omni_(arm::isOmniForm(preset)), geometry_(preset.geometry), limits_(preset.limits) {
-  if (is_omni_) {
-    arm_.model = model;
-    return;
-  }
-  arm_ = kinematics::solvedArm(model);
-  method_ = kinematics::methodFor(arm_, "auto").value();
-}
-
-NumberedSolutions SolutionFinder::ofOmni(const Pose& X_WT) const {
-  const arm::Solutions solutions = arm::solveAll(geometry_, limits_, X_WT);
-  NumberedSolutions found;
-  found.at_shoulder = solutions.at_shoulder;
-  found.at_elbow = solutions.at_elbow;
-  found.at_wrist = solutions.at_wrist;
-  for (arm::Solution one : solutions) {
-    arm::turnIntoLimits(arm_.model, one.q_rad);
-    one.within_limits = arm::isWithinLimits(arm_.model, one.q_rad);
-    const char* const family = arm::name(one.family);
-    const arm::Branch& at = one.branch;
-    found.all.push_back({numberOf(at),
-                         one.q_rad,
-                         one.within_limits,
-                         family != nullptr ? family : "",
-                         {{{"shoulder", at.shoulder}, {"elbow", at.elbow}, {"wrist", at.wrist}}}});
-  }
-  return found;
-}
+SolutionFinder::SolutionFinder(const arm::Model& model)
+    : arm_(kinematics::solvedArm(model)), method_(kinematics::methodFor(arm_, "auto").value()) {}
 
 NumberedSolutions SolutionFinder::at(const Pose& X_WT) const {
-  if (is_omni_) return ofOmni(X_WT);
   kinematics::InverseOptions options;
   options.search = kSearchStarts;
   NumberedSolutions found;
   found.is_searched = method_ == kinematics::Method::Iteration;
   found.has_surplus = kinematics::hasSurplus(arm_);
   const std::size_t joints = arm_.joints();
-  for (const kinematics::Found& one : kinematics::solve(arm_, X_WT, method_, options).found) {
+  const kinematics::Answer answer = kinematics::solve(arm_, X_WT, method_, options);
+  found.at_shoulder = answer.at_shoulder;
+  found.at_elbow = answer.at_elbow;
+  found.at_wrist = answer.at_wrist;
+  for (const kinematics::Found& one : answer.found) {
     NumberedSolution solution{0, {}, one.within_limits, one.family, one.branch, one.null_space};
     std::copy_n(one.q.begin(), joints, solution.q.begin());
     found.all.push_back(std::move(solution));

@@ -24,7 +24,7 @@ struct NumberedSolutions {
   std::vector<NumberedSolution> all;  // by number
   bool is_searched = false;           // from kSearchStarts starts; else there are no others
   bool has_surplus = false;           // joints to spare: infinitely many solutions, of which these are some
-  bool at_shoulder = false, at_elbow = false, at_wrist = false;  // of an arm of the Omni's form
+  bool at_shoulder = false, at_elbow = false, at_wrist = false;  // singular there, of an arm that solvesInTick()
   /// The one of that number, or null.
   const NumberedSolution* find(int number) const;
 };
@@ -34,21 +34,16 @@ struct NumberedSolutions {
 inline constexpr int kSearchStarts = 16;
 inline constexpr int kMaxSolutions = 16;
 
-/// What finds the solutions of an arm, in the same way for panel and view. Of an arm of the Omni's form by its own
-/// code, of others as underact-cli and the Python package do. Not for the servo thread.
+/// What finds the solutions of an arm, in the same way for panel and view, and as underact-cli and the Python package
+/// do. Not for the servo thread.
 class SolutionFinder {
  public:
   SolutionFinder() = default;
-  SolutionFinder(const arm::Preset& preset, const arm::Model& model);
+  explicit SolutionFinder(const arm::Model& model);
   NumberedSolutions at(const Pose& X_WT) const;
   const arm::Model& model() const { return arm_.model; }
 
  private:
-  NumberedSolutions ofOmni(const Pose& X_WT) const;
-
-  bool is_omni_ = false;
-  arm::Geometry geometry_;
-  arm::JointLimits limits_;
   kinematics::SolvedArm arm_;
   kinematics::Method method_ = kinematics::Method::Iteration;
 };

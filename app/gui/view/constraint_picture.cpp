@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
 #include "core/base/units.h"
 #include "core/curve/along.h"
 #include "core/scene/compile.h"
@@ -102,10 +101,7 @@ void ConstraintPicture::setLineWidth(double scale) {
 }
 
 void ConstraintPicture::setScene(const scene::Description& scene) {
-  const arm::Preset& arm = scene::armOf(scene);
-  middle_mm_.setZero();
-  if (!arm::isOmniForm(arm))
-    middle_mm_ = kMillimetrePerMetre * arm::tipPosition(arm.geometry, arm.geometry.general->rest);
+  middle_mm_ = kMillimetrePerMetre * arm::workspaceMiddle(scene::armOf(scene).geometry);
   held_.clear();
   for (const scene::Constraint& constraint : scene.constraints) held_.push_back({constraint.shape, constraint.side});
   build();

@@ -78,7 +78,7 @@ void KinematicsPicture::setArm(const arm::Preset& preset, const arm::Model& mode
   torque_N_m_ = ellipsoidTorque_N_m(preset, model);
   geometry_ = preset.geometry;
   model_ = model;
-  finder_ = SolutionFinder(preset, model);
+  finder_ = SolutionFinder(model);
   solutions_.reset();
   ghost_.setArm(model);
   others_.setArm(model);
@@ -120,7 +120,7 @@ std::vector<Vec3> KinematicsPicture::extent_mm() const {
   std::vector<Vec3> points;
   if (!known_ || !ghosts_) return points;
   for (const NumberedSolution& solution : solutions().all) {
-    if (!isOmni()) {
+    if (!shareLinks()) {
       const std::vector<Vec3> of_arm = skeletonExtent_mm(solution.q);
       points.insert(points.end(), of_arm.begin(), of_arm.end());
       continue;
@@ -134,7 +134,7 @@ std::vector<Vec3> KinematicsPicture::extent_mm() const {
 std::vector<Vec3> KinematicsPicture::chosenExtent_mm() const {
   const std::optional<arm::JointAngles> at_rad = chosen_rad();
   if (!at_rad) return {};
-  if (!isOmni()) return skeletonExtent_mm(*at_rad);
+  if (!shareLinks()) return skeletonExtent_mm(*at_rad);
   const Figure at = figureOf(model_, geometry_, *at_rad);
   return {at.shoulder_mm, at.elbow_mm, at.tip_mm,
           at.tip_mm + kStylus_mm * arm::tipPose(geometry_, *at_rad).linear().col(2)};
@@ -150,11 +150,11 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
   motion_actor_->SetVisibility(false);
   force_actor_->SetVisibility(false);
   if (known_) {
-    if (ghosts_) isOmni() ? addSolutions() : addArms();
+    if (ghosts_) shareLinks() ? addSolutions() : addArms();
     addEllipsoids();
     if (frames_) addFrames();
     if (const std::optional<arm::JointAngles> at_rad = chosen_rad()) {
-      isOmni() ? addChosen(*at_rad, camera) : addChosenArm(*at_rad, camera);
+      shareLinks() ? addChosen(*at_rad, camera) : addChosenArm(*at_rad, camera);
       ghost_.presentAll({*at_rad});
     }
   }
@@ -165,7 +165,7 @@ void KinematicsPicture::update(const OrbitCamera& camera) {
 
 void KinematicsPicture::addFrames() {
   const std::array<QColor, 3> colours{theme_.x_axis, theme_.y_axis, theme_.z_axis};
-  const double scale = isOmni() ? 1.0 : others_.size();
+  const double scale = shareLinks() ? 1.0 : others_.size();
   const std::array<Pose, arm::kMaxJoints> frames = arm::linkFrames(model_, q_rad_);
   for (std::size_t index = 0; index < std::min(frames.size(), model_.rows.size()); ++index) {
     const Vec3 origin_mm = kMillimetrePerMetre * frames[index].translation();
@@ -296,7 +296,7 @@ void KinematicsPicture::addEllipsoids() {
                  QStringLiteral("v"));
   }
   if (force_ && force_limit_N_ > 0.0) {
-    const double size = isOmni() ? 1.0 : others_.size();
+    const double size = shareLinks() ? 1.0 : others_.size();
     const double scale_mm = torque_N_m_ * size * HandPicture::kArrow_mm / force_limit_N_;
     Vec3 half_mm;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -27,7 +27,7 @@ void addDashes(Lines& lines, const Vec3& a_mm, const Vec3& b_mm, double dash_mm,
 /// For teaching: the link frames, the inverse solutions as ghosts of the arm, and the ellipsoids at the tip to which a
 /// ball of joint rotations and one of joint torques map. A function of the arm, its joints, the chosen solution and the
 /// theme. The highlighted solution is a translucent solid arm, and the ellipsoids are translucent surfaces. The other
-/// solutions of an arm of the Omni's form are lines, since they share their links; those of any other arm are
+/// solutions of an arm that solvesInTick() are lines, since they share their links; those of any other arm are
 /// translucent, too, as one surface, since each one costs frames on software GL.
 class KinematicsPicture {
  public:
@@ -69,7 +69,7 @@ class KinematicsPicture {
   void addSolutions();
   void addSolution(const NumberedSolution& solution, double aside_mm);
   void addChosen(const arm::JointAngles& q_rad, const OrbitCamera& camera);
-  // Of an arm that is not of the Omni's form: kinematics_ghosts.cpp.
+  // Of solutions that do not share their links: kinematics_ghosts.cpp.
   void addArms();
   void addChosenArm(const arm::JointAngles& q_rad, const OrbitCamera& camera);
   std::size_t apartPoint() const;
@@ -83,7 +83,7 @@ class KinematicsPicture {
   std::vector<double> aside_mm() const;
   Vec3 outwards(const Vec3& elbow_mm) const;   // a direction, away from the middle of shoulder and tip
   const NumberedSolutions& solutions() const;  // of X_WT_
-  bool isOmni() const { return geometry_.general == nullptr; }
+  bool shareLinks() const { return arm::solvesInTick(geometry_); }  // the solutions
 
   Theme theme_ = Theme::light();
   arm::Geometry geometry_;

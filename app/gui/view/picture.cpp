@@ -35,7 +35,7 @@ Result<QImage> pictureOf(const std::string& scene_file, QSize size, const Theme&
   view.setTheme(theme);
   view.showWords(with_words);
   // Of a scene for another arm the arm is what it shows.
-  if (!with_words) view.setLayers({.workspace = false, .triads = false, .arm = !arm::isOmniForm(arm)});
+  if (!with_words) view.setLayers({.workspace = false, .triads = false, .arm = !arm::isDevice(arm)});
   view.setScene(scene.value());
   view.present(simulated.host->snapshot());
   view.show();  // now: a view that is seen would take its time to turn to another arm's desk

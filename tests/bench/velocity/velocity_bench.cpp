@@ -66,8 +66,7 @@ std::vector<Named> filters() {
 
 /// The tip as the encoders show it.
 Vec3 seen(const arm::Preset& preset, const Vec3& p_WT) {
-  return arm::tipPosition(preset.geometry,
-                          sim::quantized(preset.counts_per_turn, arm::solvePosition(preset.geometry, p_WT).q_rad));
+  return arm::tipPosition(preset.geometry, sim::quantized(preset, arm::solvePosition(preset.geometry, p_WT).q_rad));
 }
 
 struct Figures {

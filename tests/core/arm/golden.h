@@ -29,7 +29,7 @@ inline Value golden(const std::string& name) {
 
 inline arm::JointAngles anglesOf(const Value& list) {
   arm::JointAngles q_rad{};
-  for (std::size_t joint = 0; joint < arm::firstSix(q_rad).size(); ++joint) q_rad[joint] = list.items.at(joint).number;
+  for (std::size_t joint = 0; joint < 6; ++joint) q_rad[joint] = list.items.at(joint).number;
   return q_rad;
 }
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/base/units.h"
 #include "tests/core/lesson/lesson_support.h"
 #include "tests/support/property.h"
@@ -117,7 +117,7 @@ TEST(Quantities, OfARobotAreKnownWhereTheSceneHasIt) {
 TEST(Quantities, JointsBeyondTheSixthAreKnownOfAnArmThatHasThem) {
   const arm::Preset& panda = *arm::findPreset("panda");
   servo::TickRecord tick;
-  tick.q_rad = panda.geometry.general->rest;
+  tick.q_rad = panda.geometry.mechanism->rest;
   const scene::Description scene;
   const target::Robot robot;
   const Quantity& quantity = *findQuantity("q_deg");

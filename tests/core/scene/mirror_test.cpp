@@ -181,7 +181,7 @@ std::vector<Named> everyScene() {
 TEST(Mirror, EachSceneOnTheMirroredArmPushesWithTheMirrorImageOfItsForce) {
   for (const auto& [name, scene] : everyScene()) {
     const arm::Geometry& geometry = arm::findPreset(scene.arm)->geometry;
-    if (geometry.general != nullptr) continue;  // below: the mirror image of such an arm is another arm
+    if (!arm::solvesInTick(geometry)) continue;  // below: the mirror image of such an arm is another arm
     double max_N = 0.0;
     for (int draw = 0; draw < test::sweep(3, 40); ++draw) {
       const Sway motion(test::Seed{static_cast<std::uint64_t>(100 + draw)});
@@ -211,16 +211,16 @@ TEST(Mirror, OtherArmsAreHeldToTheMirrorImageAcrossTheirOwnPlane) {
   for (const std::filesystem::path& file : test::sceneFiles()) {
     const Description scene = shippedFrom(file);
     const arm::Preset& preset = armOf(scene);
-    if (preset.geometry.general == nullptr) continue;
+    if (arm::solvesInTick(preset.geometry)) continue;
     ++arms;
     EXPECT_EQ(mirrorPlaneOf(scene), (arm::MirrorPlane{1, 0.0})) << file << ": they face x, and stand on the origin";
-    const chain::Chain& chain = preset.geometry.general->chain;
+    const chain::Chain& chain = preset.geometry.mechanism->chain;
     const std::size_t joints = chain.joints.size();
     const Vec3 across(1.0, -1.0, 1.0);
     Random random(test::Seed{20261126});
     int reached = 0;
     for (int draw = 0; draw < test::sweep(20, 2000); ++draw) {
-      arm::JointAngles q = preset.geometry.general->rest;
+      arm::JointAngles q = preset.geometry.mechanism->rest;
       for (std::size_t joint = 0; joint < joints; ++joint) {
         const bool slides = chain.joints[joint].type == chain::JointType::Prismatic;
         q[joint] += random.between(-1.0, 1.0) * (slides ? 0.02 : 0.4);
@@ -232,7 +232,8 @@ TEST(Mirror, OtherArmsAreHeldToTheMirrorImageAcrossTheirOwnPlane) {
       chain::NumericOptions options;
       options.restarts = 20;
       if (joints < 6) options.rotation_length_m = 0.0;
-      const chain::NumericSolution found = chain::solveNumerically(chain, X_WM, preset.geometry.general->rest, options);
+      const chain::NumericSolution found =
+          chain::solveNumerically(chain, X_WM, preset.geometry.mechanism->rest, options);
       if (!found.reached) continue;
       ++reached;
       arm::JointAngles image{};

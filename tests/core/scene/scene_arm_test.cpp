@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/arm/arm_text.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/scene/compile.h"
 #include "core/scene/edit.h"
 #include "core/scene/load_meshes.h"
@@ -127,14 +127,14 @@ TEST_F(SceneArm, NamesAreCorrected) {
 
 TEST_F(SceneArm, OfAnotherFormIsNamedOrAFileOrUrdf) {
   const tick::TickProgram by_name = compile(read("ur5e").value()).value();
-  ASSERT_NE(by_name.geometry.general, nullptr);
+  ASSERT_FALSE(arm::solvesInTick(by_name.geometry));
   EXPECT_EQ(by_name.limits.max_force_N, 5.0) << "its file does not say";
   folder.write("mine.urdf", arm::textOf(*arm::findModel("ur5e"), arm::ArmForm::Urdf).value());
   const Result<Description> by_file = read("mine.urdf");
   ASSERT_TRUE(by_file) << firstProblem(by_file);
-  const arm::GeneralArm& arm = *compile(by_file.value()).value().geometry.general;
+  const arm::Mechanism& arm = *compile(by_file.value()).value().geometry.mechanism;
   EXPECT_EQ(arm.chain.joints.size(), 6U);
-  EXPECT_EQ(arm.driven, by_name.geometry.general->driven);
+  EXPECT_EQ(arm.driven, by_name.geometry.mechanism->driven);
 }
 
 TEST_F(SceneArm, OfAnotherFormHasNoControlInJointSpace) {

@@ -122,7 +122,7 @@ TEST(HandScript, BuiltInIsAroundTheRestOfAnArmOfAnotherFormAndAFileIsNot) {
   EXPECT_EQ(madeFor(arm, moved).path[1].p_WT, moved.path[1].p_WT) << "twice is once";
   EXPECT_EQ(madeFor(*arm::findPreset("touch-measured"), script).path[1].p_WT, script.path[1].p_WT);
   HandScript own = script;
-  own.of_omni = false;
+  own.about_middle = false;
   EXPECT_EQ(madeFor(arm, own).path[1].p_WT, script.path[1].p_WT);
 }
 

@@ -1,13 +1,12 @@
 // The simulated arm that is not of the Omni's form, against what mechanics says of it.
-#include "core/sim/joint_plant.h"
-
 #include <cmath>
 
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
 #include "core/arm/inverse.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/model.h"
 #include "core/base/units.h"
+#include "core/sim/mechanics.h"
 #include "tests/support/property.h"
 
 namespace underact::sim {

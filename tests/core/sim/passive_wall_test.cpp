@@ -62,8 +62,7 @@ Course run(const char* hand_name, const ArmModel& model, double stiffness_N_per_
     }
     if (tick == kTicks / 2) course.halfway_J = course.excess_J;
     if (tick > kTicks - 1000) sum += (state.v_WT - setpoint.v_WT).squaredNorm() / 1000.0;
-    const arm::JointAngles shown_rad =
-        plant.model.encoders ? quantized(plant.arm.counts_per_turn, state.q_rad) : state.q_rad;
+    const arm::JointAngles shown_rad = plant.model.encoders ? quantized(plant.arm, state.q_rad) : state.q_rad;
     f_T_W = hand.feed(shown_rad, kPeriod_s).force.f_T_W();
   }
   course.rms_m_per_s = std::sqrt(sum);

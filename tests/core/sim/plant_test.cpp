@@ -403,11 +403,11 @@ TEST(Plant, HoweverLargeTheForceItStaysFinite) {
 TEST(Encoders, OneStepOfThighOrShinMovesTheTipByAbout54Micrometres) {  // 15 400 steps a turn at 0.133 m: 0.0545 mm
   const arm::Preset& preset = *arm::findPreset("touch-measured");
   const arm::JointAngles rest_device =
-      arm::deviceFromDh(quantized(preset.counts_per_turn, restingState(plantOf("ideal"), kMiddle).q_rad));
+      arm::deviceFromDh(quantized(preset, restingState(plantOf("ideal"), kMiddle).q_rad));
   for (const std::size_t joint : {1U, 2U}) {
     arm::JointAngles device_rad = rest_device;
     device_rad[joint] += 0.6 * 2.0 * kPi / preset.counts_per_turn[joint];  // more than half a step: the next one
-    const arm::JointAngles stepped = quantized(preset.counts_per_turn, arm::dhFromDevice(device_rad));
+    const arm::JointAngles stepped = quantized(preset, arm::dhFromDevice(device_rad));
     const double moved_m =
         (arm::tipPosition(preset.geometry, stepped) - arm::tipPosition(preset.geometry, arm::dhFromDevice(rest_device)))
             .norm();
@@ -423,7 +423,7 @@ TEST(Encoders, ShowWholeStepsOfTheDeviceNearestToTheAngle) {
     arm::JointAngles q_rad{};
     for (double& angle_rad : q_rad) angle_rad = random.between(-2.5, 2.5);
     const arm::JointAngles exact = arm::deviceFromDh(q_rad);
-    const arm::JointAngles shown = arm::deviceFromDh(quantized(preset.counts_per_turn, q_rad));
+    const arm::JointAngles shown = arm::deviceFromDh(quantized(preset, q_rad));
     for (std::size_t joint = 0; joint < 6; ++joint) {
       const double step_rad = 2.0 * kPi / preset.counts_per_turn[joint], steps = shown[joint] / step_rad;
       ASSERT_LE(std::abs(steps - std::round(steps)), 1e-11);  // the conversion's rounding, 1e-15 rad, of a step of 4e-4
@@ -436,8 +436,8 @@ TEST(Encoders, MeasureTheShinFromTheBase) {
   const arm::Preset& preset = *arm::findPreset("touch-measured");
   const double step_rad = 2.0 * kPi / preset.counts_per_turn[1];
   // The thigh turns by a step, the shin keeps its place in space: q2 up, q3 down.
-  const arm::JointAngles before = quantized(preset.counts_per_turn, {0, 100 * step_rad, 0.2, 0, 1, 0});
-  const arm::JointAngles after = quantized(preset.counts_per_turn, {0, 101 * step_rad, 0.2 - step_rad, 0, 1, 0});
+  const arm::JointAngles before = quantized(preset, {0, 100 * step_rad, 0.2, 0, 1, 0});
+  const arm::JointAngles after = quantized(preset, {0, 101 * step_rad, 0.2 - step_rad, 0, 1, 0});
   EXPECT_NEAR(after[1] - before[1], step_rad, 1e-15);
   EXPECT_NEAR(after[1] + after[2], before[1] + before[2], 1e-15);
 }

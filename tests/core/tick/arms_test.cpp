@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "core/arm/forward.h"
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 #include "core/arm/model.h"
 #include "core/json/json.h"
 #include "core/scene/compile.h"
@@ -36,7 +36,7 @@ TickInput at(const arm::JointAngles& q, std::int64_t ms, bool restart = false) {
 }
 
 const arm::JointAngles& restOf(const std::string& arm) {
-  return arm::findPreset(arm)->geometry.general->rest;
+  return arm::findPreset(arm)->geometry.mechanism->rest;
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ TEST(Arms, LimitsWatchTheDrivenJoints) {
 TEST(Arms, LimitsWatchJointsBeyondTheThirdToo) {
   arm::JointAngles q = restOf("panda");
   q[5] = arm::findPreset("panda")->limits.max_rad[5] - 0.01;  // a fifth of the last 3 degrees
-  const chain::Kinematics at_stop = chain::kinematics(arm::findPreset("panda")->geometry.general->chain, q);
+  const chain::Kinematics at_stop = chain::kinematics(arm::findPreset("panda")->geometry.mechanism->chain, q);
   const Vec3 along = at_stop.J.col(5).head<3>().normalized();
   const auto cutFor = [&](double sign) {
     const TickProgram program = programFor("panda", 1e3 * at_stop.X_WT.translation() + 4.0 * sign * along);
@@ -112,7 +112,7 @@ TEST(Arms, EachDrivenJointHeatsUp) {
   TickReport report;
   for (std::int64_t ms = 1; ms <= 2000; ++ms) step(program, at(restOf("panda"), ms, ms == 1), state, report);
   ASSERT_GT(report.force.f_T_W().norm(), 1.0);
-  const chain::Jacobian J = chain::jacobian(arm::findPreset("panda")->geometry.general->chain, restOf("panda"));
+  const chain::Jacobian J = chain::jacobian(arm::findPreset("panda")->geometry.mechanism->chain, restOf("panda"));
   for (std::size_t joint = 3; joint < 7; ++joint) {
     const double torque_N_m = J.col(static_cast<Eigen::Index>(joint)).head<3>().dot(report.force.f_T_W());
     EXPECT_EQ(state.gate.heat[joint] > 0.0, torque_N_m != 0.0) << "joint " << joint + 1;
@@ -124,8 +124,8 @@ namespace {
 /// A robot that holds the stylus to a pose turned by turn_rad from that of the arm at rest, about x.
 TickProgram poseFor(const std::string& arm, double turn_rad, const std::string& arm_text = {}) {
   const arm::Preset& preset = *arm::findPreset(arm);
-  const arm::JointAngles rest = preset.geometry.general == nullptr ? arm::JointAngles{0.0, 0.6, 0.4, 0.0, 1.5, 0.0}
-                                                                   : preset.geometry.general->rest;
+  const arm::JointAngles rest = arm::solvesInTick(preset.geometry) ? arm::JointAngles{0.0, 0.6, 0.4, 0.0, 1.5, 0.0}
+                                                                   : preset.geometry.mechanism->rest;
   Pose X = arm::tipPose(preset.geometry, rest);
   X.linear() = Eigen::AngleAxisd(turn_rad, Vec3::UnitX()) * X.linear();
   std::string pose = "[";
@@ -190,7 +190,7 @@ TEST(Arms, MotorsGiveNoMoreThanTheirLargestTorque) {
   const std::string key = "\"rest_deg\": 90";  // of joint 5
   text.insert(text.find(key), "\"max_torque_N_m\": 0.05, ");
   const TickProgram program = poseFor("ur5e", 0.2, text);
-  const arm::GeneralArm& arm = *program.geometry.general;
+  const arm::Mechanism& arm = *program.geometry.mechanism;
   const TickReport report = heldFor(program, arm.rest);
   const chain::Jacobian J = chain::jacobian(arm.chain, arm.rest);
   Vec6 wrench;

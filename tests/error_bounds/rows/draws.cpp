@@ -77,7 +77,7 @@ arm::Geometry drawArm(Input& input, int size) {
 
 arm::JointAngles drawJoints(Input& input) {
   arm::JointAngles q_rad{};
-  for (double& angle_rad : arm::firstSix(q_rad))
+  for (double& angle_rad : std::span(q_rad).first<6>())
     angle_rad = input.number("q_rad", [](Dice& dice) { return dice.angle(); });
   return q_rad;
 }

@@ -18,9 +18,9 @@ using underact::test::Seed;
 
 /// Joints near those at rest, so that the pose is one in the middle of the workspace.
 arm::JointAngles near(const arm::Preset& preset, Random& random) {
-  if (preset.geometry.general == nullptr) return {0.1, 0.6, 0.3, 0.4, 1.1, 0.5};
-  arm::JointAngles q = preset.geometry.general->rest;
-  const std::vector<chain::Joint>& joints = preset.geometry.general->chain.joints;
+  if (arm::solvesInTick(preset.geometry)) return {0.1, 0.6, 0.3, 0.4, 1.1, 0.5};
+  arm::JointAngles q = preset.geometry.mechanism->rest;
+  const std::vector<chain::Joint>& joints = preset.geometry.mechanism->chain.joints;
   for (std::size_t joint = 0; joint < joints.size(); ++joint)
     q[joint] += random.between(-1.0, 1.0) * (joints[joint].type == chain::JointType::Prismatic ? 0.02 : 0.3);
   return q;
@@ -29,7 +29,7 @@ arm::JointAngles near(const arm::Preset& preset, Random& random) {
 std::size_t maxOf(const std::string& arm) {
   Random random(Seed{7});
   const arm::Preset& preset = *arm::findPreset(arm);
-  const SolutionFinder finder(preset, *arm::findModel(arm));
+  const SolutionFinder finder(*arm::findModel(arm));
   std::size_t max = 0;
   for (int draw = 0; draw < 20; ++draw)
     max = std::max(max, finder.at(arm::tipPose(preset.geometry, near(preset, random))).all.size());
@@ -42,7 +42,7 @@ TEST(NumberedSolutions, EachReachesThePoseAndHasANumberOfItsOwn) {
   Random random(Seed{20261126});
   for (const arm::Preset& preset : arm::sceneArms()) {
     const arm::Model& model = *arm::findModel(preset.name);
-    const SolutionFinder finder(preset, model);
+    const SolutionFinder finder(model);
     for (int draw = 0; draw < 20; ++draw) {
       const arm::JointAngles q = near(preset, random);
       const Pose X_WT = arm::tipPose(preset.geometry, q);
@@ -83,7 +83,7 @@ TEST(NumberedSolutions, AreAsManyAsTheGeometryHas) {
 TEST(NumberedSolutions, OfABranchKeepTheirNumberWhicheverOthersThereAre) {
   Random random(Seed{3});
   const arm::Preset& preset = *arm::findPreset("ur5e");
-  const SolutionFinder finder(preset, *arm::findModel("ur5e"));
+  const SolutionFinder finder(*arm::findModel("ur5e"));
   for (int draw = 0; draw < 200; ++draw) {
     arm::JointAngles q{};
     for (std::size_t joint = 0; joint < 6; ++joint) q[joint] = random.between(-3.1, 3.1);
@@ -96,8 +96,8 @@ TEST(NumberedSolutions, OfABranchKeepTheirNumberWhicheverOthersThereAre) {
 
 TEST(NumberedSolutions, OfAnArmWithJointsToSpareAreSearchedAndEachHasANullSpace) {
   const arm::Preset& preset = *arm::findPreset("panda");
-  const SolutionFinder finder(preset, *arm::findModel("panda"));
-  const Pose X_WT = arm::tipPose(preset.geometry, preset.geometry.general->rest);
+  const SolutionFinder finder(*arm::findModel("panda"));
+  const Pose X_WT = arm::tipPose(preset.geometry, preset.geometry.mechanism->rest);
   const NumberedSolutions found = finder.at(X_WT), again = finder.at(X_WT);
   EXPECT_TRUE(found.is_searched);
   EXPECT_TRUE(found.has_surplus);

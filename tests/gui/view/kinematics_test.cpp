@@ -196,12 +196,12 @@ struct OtherArm : Shown {
             Camera::Isometric) {
     const arm::Preset& preset = *arm::findPreset(arm);
     servo::Snapshot snapshot = test::snapshotAt(kTip, kTip, Vec3::Zero());
-    snapshot.report.sample.q_rad = preset.geometry.general->rest;
-    for (std::size_t joint = 0; joint < preset.geometry.general->chain.joints.size(); ++joint)
+    snapshot.report.sample.q_rad = preset.geometry.mechanism->rest;
+    for (std::size_t joint = 0; joint < preset.geometry.mechanism->chain.joints.size(); ++joint)
       snapshot.report.sample.q_rad[joint] += 0.02;
     const Pose X_WT = arm::tipPose(preset.geometry, snapshot.report.sample.q_rad);
     snapshot.report.p_WT = snapshot.report.held[0].p_WP = X_WT.translation();
-    found = SolutionFinder(preset, *arm::findModel(arm)).at(X_WT);
+    found = SolutionFinder(*arm::findModel(arm)).at(X_WT);
     Layers layers = only(&Layers::ghosts);
     layers.arm = false;  // it hides ghosts behind it
     view.setLayers(layers);

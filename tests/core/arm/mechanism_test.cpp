@@ -1,6 +1,6 @@
-// Arms that are not of the Omni's form, as scenes have them: which forces their motors can render, and which models a
-// scene takes.
-#include "core/arm/general_arm.h"
+// The mechanisms of arms: that they move the tip as the kinematics say, which forces their motors can render, and which
+// models a scene takes.
+#include "core/arm/mechanism.h"
 
 #include "core/arm/forward.h"
 #include "core/arm/jacobian.h"
@@ -15,13 +15,13 @@ namespace {
 constexpr std::array kSceneArms{"ur5e",     "ur10e",     "puma-560", "abb-irb-120", "kr5",
                                 "stanford", "cobra-600", "planar-3", "panda",       "iiwa7"};
 
-const GeneralArm& armNamed(const char* name) {
-  return *findPreset(name)->geometry.general;
+const Mechanism& armNamed(const char* name) {
+  return *findPreset(name)->geometry.mechanism;
 }
 
 JointAngles drawnWithin(const Preset& preset, test::Random& random) {
   JointAngles q{};
-  for (std::size_t joint = 0; joint < preset.geometry.general->chain.joints.size(); ++joint) {
+  for (std::size_t joint = 0; joint < preset.geometry.mechanism->chain.joints.size(); ++joint) {
     q[joint] =
         random.between(std::max(-kPi, preset.limits.min_rad[joint]), std::min(kPi, preset.limits.max_rad[joint]));
   }
@@ -30,29 +30,30 @@ JointAngles drawnWithin(const Preset& preset, test::Random& random) {
 
 }  // namespace
 
-TEST(GeneralArm, ShippedArmsOfUpToEightJointsAreArmsOfScenes) {
+TEST(Mechanism, ShippedArmsOfUpToEightJointsAreArmsOfScenes) {
   for (const char* name : kSceneArms) {
     const Preset* const preset = findPreset(name);
     ASSERT_NE(preset, nullptr) << name;
-    EXPECT_FALSE(isOmniForm(*preset)) << name;
+    EXPECT_FALSE(isDevice(*preset)) << name;
+    EXPECT_FALSE(solvesInTick(preset->geometry)) << name;
     EXPECT_GT(preset->continuous_force_N, 0.0);
   }
   EXPECT_EQ(jointsOf(findPreset("panda")->geometry), 7U);
   EXPECT_EQ(jointsOf(findPreset("omni-thesis")->geometry), 6U);
-  for (const Preset& preset : presets()) EXPECT_TRUE(isOmniForm(preset)) << preset.name;
+  for (const Preset& preset : presets()) EXPECT_TRUE(isDevice(preset)) << preset.name;
 }
 
-TEST(GeneralArm, RestsWithinItsLimitsAwayFromSingularities) {
+TEST(Mechanism, RestsWithinItsLimitsAwayFromSingularities) {
   for (const char* name : kSceneArms) {
     const Preset& preset = *findPreset(name);
-    const JointAngles& rest = preset.geometry.general->rest;
+    const JointAngles& rest = preset.geometry.mechanism->rest;
     EXPECT_TRUE(isWithinLimits(*findModel(name), std::span(rest).first(findModel(name)->rows.size()))) << name;
     const Dexterity dexterity = dexterityOf(preset.geometry, rest);
     EXPECT_GT(dexterity.gain_m[1], 0.03) << name;
   }
 }
 
-TEST(GeneralArm, TipAndJacobianAreThoseOfItsChain) {
+TEST(Mechanism, TipAndJacobianAreThoseOfItsChain) {
   test::Random random(test::Seed{32});
   for (const char* name : kSceneArms) {
     const Preset& preset = *findPreset(name);
@@ -67,7 +68,27 @@ TEST(GeneralArm, TipAndJacobianAreThoseOfItsChain) {
   }
 }
 
-TEST(GeneralArm, WithAllJointsDrivenRendersWhateverMovesTheTip) {
+TEST(Mechanism, OfEveryArmMovesTheTipAsItsKinematicsSay) {
+  test::Random random(test::Seed{20261128});
+  for (const Preset& preset : sceneArms()) {
+    for (int i = 0; i < 100; ++i) {
+      const JointAngles q = drawnWithin(preset, random);
+      const Kinematics at = kinematics(preset.geometry, q);
+      const chain::Kinematics by_chain = chain::kinematics(preset.geometry.mechanism->chain, q);
+      ASSERT_LT((at.X_WT.matrix() - by_chain.X_WT.matrix()).norm(), 1e-14) << preset.name;
+      ASSERT_EQ(at.J.cols(), by_chain.J.cols()) << preset.name;
+      ASSERT_LT((at.J - by_chain.J).norm(), 1e-14) << preset.name;
+      const Kinematics pose = kinematics(preset.geometry, q, {true, false});
+      const Kinematics moved = kinematics(preset.geometry, q, {false, true});
+      ASSERT_EQ(pose.X_WT.matrix(), at.X_WT.matrix()) << "to the bit, whatever else is asked for: " << preset.name;
+      ASSERT_EQ(moved.X_WT.translation(), at.X_WT.translation()) << preset.name;
+      ASSERT_EQ(moved.J, at.J.leftCols(moved.J.cols())) << preset.name;
+      ASSERT_GE(moved.J.cols(), std::min<Eigen::Index>(3, at.J.cols())) << preset.name;
+    }
+  }
+}
+
+TEST(Mechanism, WithAllJointsDrivenRendersWhateverMovesTheTip) {
   test::Random random(test::Seed{33});
   for (const char* name : {"ur5e", "puma-560", "stanford"}) {
     for (int i = 0; i < 100; ++i) {
@@ -78,9 +99,9 @@ TEST(GeneralArm, WithAllJointsDrivenRendersWhateverMovesTheTip) {
   }
 }
 
-TEST(GeneralArm, InAPlaneRendersNoForceOutOfIt) {
+TEST(Mechanism, InAPlaneRendersNoForceOutOfIt) {
   test::Random random(test::Seed{34});
-  const GeneralArm& planar = armNamed("planar-3");
+  const Mechanism& planar = armNamed("planar-3");
   Mat3 plane = Mat3::Identity();
   plane(2, 2) = 0.0;
   for (int i = 0; i < 100; ++i) {
@@ -90,13 +111,13 @@ TEST(GeneralArm, InAPlaneRendersNoForceOutOfIt) {
   }
 }
 
-TEST(GeneralArm, AnUndrivenJointPassesNoTorqueOn) {  // the part that is left is the nearest such force
+TEST(Mechanism, AnUndrivenJointPassesNoTorqueOn) {  // the part that is left is the nearest such force
   test::Random random(test::Seed{35});
   int all = 0, exact = 0;
   for (const char* name : kSceneArms) {
     const std::size_t joints = armNamed(name).chain.joints.size();
     for (int i = 0; i < 200; ++i) {
-      GeneralArm arm = armNamed(name);
+      Mechanism arm = armNamed(name);
       for (std::size_t joint = 0; joint < joints; ++joint) arm.driven[joint] = random.between(0.0, 1.0) < 0.6;
       const chain::Jacobian J = chain::jacobian(arm.chain, drawnWithin(*findPreset(name), random));
       const Vec3 asked = random.inBox(10.0);
@@ -121,8 +142,8 @@ TEST(GeneralArm, AnUndrivenJointPassesNoTorqueOn) {  // the part that is left is
   EXPECT_GT(exact, 0.97 * all);
 }
 
-TEST(GeneralArm, TwoOfThreeOfAPlanarArmPushAlongTheLineToTheFreeJoint) {
-  GeneralArm arm = armNamed("planar-3");
+TEST(Mechanism, TwoOfThreeOfAPlanarArmPushAlongTheLineToTheFreeJoint) {
+  Mechanism arm = armNamed("planar-3");
   arm.driven = {true, true, false};
   const JointAngles q{0.3, 0.7, 0.5};
   const chain::Jacobian J = chain::jacobian(arm.chain, q);
@@ -133,20 +154,22 @@ TEST(GeneralArm, TwoOfThreeOfAPlanarArmPushAlongTheLineToTheFreeJoint) {
   EXPECT_LT((P - line * line.transpose()).norm(), 1e-14);
 }
 
-TEST(GeneralArm, WatchesAllDrivenJoints) {
-  GeneralArm arm = armNamed("ur5e");
+TEST(Mechanism, WatchesAllDrivenJoints) {
+  Mechanism arm = armNamed("ur5e");
   arm.driven = {false, true, true, false, true, true};
-  const Watched watched = watchedJoints(arm);
+  Geometry geometry = findPreset("ur5e")->geometry;
+  geometry.mechanism = std::make_shared<const Mechanism>(arm);
+  const Watched watched = watchedJoints(geometry);
   ASSERT_EQ(watched.count, 4U);
   EXPECT_EQ(watched.joint, (std::array<std::size_t, kMaxJoints>{1, 2, 4, 5}));
-  EXPECT_EQ(watchedJoints(armNamed("panda")).count, 7U);
+  EXPECT_EQ(watchedJoints(findPreset("panda")->geometry).count, 7U);
 }
 
-TEST(GeneralArm, AMomentIsRenderedBySixOfSixMotorsAndNotByTwoOfThreeOrThreeOfSix) {
-  GeneralArm planar = armNamed("planar-3");
+TEST(Mechanism, AMomentIsRenderedBySixOfSixMotorsAndNotByTwoOfThreeOrThreeOfSix) {
+  Mechanism planar = armNamed("planar-3");
   planar.driven = {true, true, false};
   EXPECT_FALSE(rendersMoment(planar));
-  GeneralArm six = armNamed("ur5e");
+  Mechanism six = armNamed("ur5e");
   EXPECT_TRUE(rendersMoment(six));
   six.driven = {true, true, true};
   EXPECT_FALSE(rendersMoment(six));
@@ -161,8 +184,8 @@ TEST(GeneralArm, AMomentIsRenderedBySixOfSixMotorsAndNotByTwoOfThreeOrThreeOfSix
   }
 }
 
-TEST(GeneralArm, AtASingularityTheWrenchThatNoMotorMakesIsTakenOff) {
-  const GeneralArm& arm = armNamed("ur5e");
+TEST(Mechanism, AtASingularityTheWrenchThatNoMotorMakesIsTakenOff) {
+  const Mechanism& arm = armNamed("ur5e");
   JointAngles q = arm.rest;
   q[4] = 0.0;
   const chain::Jacobian J = chain::jacobian(arm.chain, q);
@@ -175,7 +198,7 @@ TEST(GeneralArm, AtASingularityTheWrenchThatNoMotorMakesIsTakenOff) {
   EXPECT_LT((P - (Mat6::Identity() - lost * lost.transpose())).norm(), 1e-10);
 }
 
-TEST(GeneralArm, NamesWhatASceneCannotHaveWithTheReason) {
+TEST(Mechanism, NamesWhatASceneCannotHaveWithTheReason) {
   Model model = *findModel("planar-3");
   model.joints[1].sensed = false;
   EXPECT_NE(presetOf(model).problems()[0].sentence.find("Joint 2 is not sensed"), std::string::npos);
@@ -184,17 +207,17 @@ TEST(GeneralArm, NamesWhatASceneCannotHaveWithTheReason) {
   EXPECT_NE(presetOf(model).problems()[0].sentence.find("is a haptic device"), std::string::npos);
 }
 
-TEST(GeneralArm, OfTheOmnisFormWithOtherMotorsIsNotTakenForAnOmni) {
+TEST(Mechanism, OfTheOmnisFormWithOtherMotorsIsNotTakenForAnOmni) {
   Model model = *findModel("omni-thesis");
   model.joints[2].driven = false;
   const Preset preset = presetOf(model).value();
-  ASSERT_FALSE(isOmniForm(preset));
+  ASSERT_FALSE(isDevice(preset));
   const JointAngles q{0.1, 0.6, 0.4, 0.2, 1.5, 0.3};
   EXPECT_LT((tipPosition(preset.geometry, q) - tipPosition(findPreset("omni-thesis")->geometry, q)).norm(), 1e-15);
   EXPECT_EQ(preset.limits.of_wrist_size, model.limits_wrist_size);
 }
 
-TEST(GeneralArm, AreEqualByContent) {
+TEST(Mechanism, AreEqualByContent) {
   const Preset a = presetOf(*findModel("ur5e")).value();
   Model other = *findModel("ur5e");
   EXPECT_EQ(a.geometry, presetOf(other).value().geometry);

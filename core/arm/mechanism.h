@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "core/arm/preset.h"
 #include "core/arm/sample.h"
 #include "core/base/real_time.h"
 #include "core/base/types.h"
@@ -16,9 +17,9 @@ struct LinkMass {
   Mat3 inertia_W_kg_m2 = Mat3::Zero();  // about that
 };
 
-/// An arm of a scene that has not the form of the Omni's table: any chain of 1 to 8 joints. Its joint values are rad,
-/// or m where a joint slides; those beyond its joints are 0.
-struct GeneralArm {
+/// An arm of a scene: any chain of 1 to 8 joints, and its motors. Its joint values are rad, or m where a joint slides;
+/// those beyond its joints are 0.
+struct Mechanism {
   chain::Chain chain;
   std::array<bool, kMaxJoints> driven{};        // by a motor
   std::vector<LinkMass> masses;                 // as many as joints, or none
@@ -28,14 +29,22 @@ struct GeneralArm {
   double max_moment_N_m = 0.0;                  // if it does
   std::array<double, kMaxJoints> max_torque{};  // of each joint, N m, or N where it slides; 0: not stated
 };
+/// Whether both are the same arm, to the bit.
+bool operator==(const Mechanism& a, const Mechanism& b) noexcept UNDERACT_REAL_TIME;
 
 /// The joints that the gate watches, with their stops and their motors' heat: those that are driven. joint[i]: 0 to 7.
 struct Watched {
   std::array<std::size_t, kMaxJoints> joint{};
   std::size_t count = 0;
+  std::array<bool, kMaxJoints> slides{};  // of each joint that is watched
+  bool push_freely = false;               // they render any force on the tip, which no other joint moves
+  bool turn = false;                      // they render a moment about it, too
 };
-/// As many as there are. Cost: constant.
-Watched watchedJoints(const GeneralArm& arm) noexcept UNDERACT_REAL_TIME;
+/// As many as there are; of lengths alone the first three joints. Cost: constant.
+Watched watchedJoints(const Geometry& geometry) noexcept UNDERACT_REAL_TIME;
+
+/// Whether the joint slides; false beyond its joints.
+bool slides(const Geometry& geometry, std::size_t joint) noexcept UNDERACT_REAL_TIME;
 
 /// The columns of J that move the tip, of the first three watched joints; 0 beyond. m/rad, or 1 where the joint slides.
 Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
@@ -45,7 +54,7 @@ Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept U
 /// direction, no motor pushes in it. P projects onto what is left. A joint that moves the tip less than kMinLever_m
 /// (of the other joints: beyond what they do) fades out, so that P is continuous. Symmetric, gains within 0 and 1 to 16
 /// ulp. Source: statics, tau = J^T f with tau = 0 at the undriven joints.
-Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
+Mat3 renderable(const Mechanism& arm, const chain::Jacobian& J) noexcept UNDERACT_REAL_TIME;
 
 /// The part of a force and a moment together that the motors can render, scaled as (kMomentArm_m f, m), of an arm all
 /// of whose joints are driven: in a direction in which no joint moves the tip, no motor pushes or turns.
@@ -53,7 +62,7 @@ Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept UN
 
 /// Whether its motors render a moment about the tip beside a force: all its joints are driven, and at its rest they
 /// move and turn the tip in all six directions. A joint without a motor would have to pass on a torque of the moment.
-bool rendersMoment(const GeneralArm& arm);
+bool rendersMoment(const Mechanism& arm);
 
 inline constexpr double kMinLever_m = 1e-3;
 

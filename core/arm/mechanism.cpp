@@ -1,9 +1,7 @@
-#include "core/arm/general_arm.h"
+#include "core/arm/mechanism.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/arm/preset.h"
 
 namespace underact::arm {
 namespace {
@@ -53,7 +51,7 @@ bool isSameMass(const LinkMass& a, const LinkMass& b) noexcept UNDERACT_REAL_TIM
 
 }  // namespace
 
-bool operator==(const GeneralArm& a, const GeneralArm& b) noexcept {
+bool operator==(const Mechanism& a, const Mechanism& b) noexcept {
   return std::equal(a.chain.joints.begin(), a.chain.joints.end(), b.chain.joints.begin(), b.chain.joints.end(),
                     isSame) &&
          a.chain.X_WT_home.matrix() == b.chain.X_WT_home.matrix() && a.driven == b.driven &&
@@ -62,17 +60,34 @@ bool operator==(const GeneralArm& a, const GeneralArm& b) noexcept {
          a.max_moment_N_m == b.max_moment_N_m;
 }
 
-Watched watchedJoints(const GeneralArm& arm) noexcept {
+bool Geometry::operator==(const Geometry& other) const noexcept {
+  if (by_chain != other.by_chain) return false;
+  if (by_chain) return mechanism == other.mechanism || *mechanism == *other.mechanism;
+  return upper_m == other.upper_m && fore_m == other.fore_m && p_WB == other.p_WB;
+}
+
+Watched watchedJoints(const Geometry& geometry) noexcept {
+  if (solvesInTick(geometry)) return {{0, 1, 2}, 3, {}, true, false};
+  const Mechanism& arm = *geometry.mechanism;
   Watched watched;
+  watched.turn = arm.renders_moment;
   const std::size_t count = std::min(arm.chain.joints.size(), arm.driven.size());
   for (std::size_t joint = 0; joint < count && watched.count < watched.joint.size(); ++joint) {
-    if (arm.driven[joint]) watched.joint[watched.count++] = joint;
+    if (!arm.driven[joint]) continue;
+    watched.slides[watched.count] = arm.chain.joints[joint].type == chain::JointType::Prismatic;
+    watched.joint[watched.count++] = joint;
   }
   return watched;
 }
 
+bool slides(const Geometry& geometry, std::size_t joint) noexcept {
+  return geometry.by_chain && joint < geometry.mechanism->chain.joints.size() &&
+         geometry.mechanism->chain.joints[joint].type == chain::JointType::Prismatic;
+}
+
 std::size_t jointsOf(const Geometry& geometry) noexcept {
-  return geometry.general != nullptr ? geometry.general->chain.joints.size() : firstSix(JointAngles{}).size();
+  constexpr std::size_t kOfLengths = 6;
+  return geometry.mechanism != nullptr ? geometry.mechanism->chain.joints.size() : kOfLengths;
 }
 
 Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept {
@@ -83,7 +98,7 @@ Mat3 watchedColumns(const Watched& watched, const chain::Jacobian& J) noexcept {
   return J_p;
 }
 
-Mat3 renderable(const GeneralArm& arm, const chain::Jacobian& J) noexcept {
+Mat3 renderable(const Mechanism& arm, const chain::Jacobian& J) noexcept {
   const Mat3 reached = ontoMoved(J, [](std::size_t) { return true; });
   const Mat3 slack = ontoMoved(J, [&](std::size_t joint) { return joint >= arm.driven.size() || !arm.driven[joint]; });
   return reached - slack;
@@ -99,7 +114,7 @@ Mat6 renderableWrench(const chain::Jacobian& J, double moment_arm_m) noexcept {
   return ontoSpan<6>(columns, count, kMinLever_m / moment_arm_m);
 }
 
-bool rendersMoment(const GeneralArm& arm) {
+bool rendersMoment(const Mechanism& arm) {
   const std::size_t joints = arm.chain.joints.size();
   if (joints < 6 || !std::all_of(arm.driven.begin(), arm.driven.begin() + static_cast<std::ptrdiff_t>(joints),
                                  [](bool driven) { return driven; }))

@@ -3,7 +3,7 @@
 
 namespace underact::sim {
 
-// Inside the room: the simulated arm that is not of the Omni's form, in the space of its joints.
+// Inside the room: how a simulated arm moves.
 
 /// The weights of the velocities v at the beginning and v' at the end of a substep, which sum to 1: for the
 /// displacement, and for the dampers. Without a mass there is no initial velocity, and v' alone counts: both 0.
@@ -22,10 +22,25 @@ struct Pushed {
   Vec3 f_T_W = Vec3::Zero(), m_T_W = Vec3::Zero();
 };
 
-/// At rest with the tip at p_WT, or as near as a search from the arm's rest comes; nullptr: at the arm's rest.
-PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_TIME;
+/// How an arm rests and moves, and what its encoders measure.
+struct Mechanics {
+  /// At rest with the tip at p_WT, or as near as it comes; nullptr: where the arm is when nobody has moved it.
+  PlantState (*restAt)(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT_REAL_TIME;
+  /// What sim::advance() does, of finite numbers; after an overflow a state that is not finite.
+  PlantState (*advance)(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& wish,
+                        std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
+  /// The angles that the encoders measure, and the joints for such angles.
+  arm::JointAngles (*measuredOf)(const arm::JointAngles& q_rad) noexcept UNDERACT_REAL_TIME;
+  arm::JointAngles (*jointsOf)(const arm::JointAngles& measured) noexcept UNDERACT_REAL_TIME;
+};
 
-/// What advance() does, for the joints of plant.arm.geometry.general: with M the inertia of its links (of the model's
+/// Whether position and velocities are finite.
+bool isFinite(const PlantState& state) noexcept UNDERACT_REAL_TIME;
+
+/// Of an arm that solvesInTick(): a mass at the tip, and the joints for where it is.
+extern const Mechanics kTipMechanics;
+
+/// Of the joints of any other arm, of up to six and of more. With M the inertia of its links (of the model's
 /// mass at the tip where the file has none) and of the hand, J_v and J_w the Jacobian at the tip, D the joints'
 /// damping, and each substep's end marked by ', of the integrator EndVelocity,
 ///   M (dq' - dq) = dt (tau - D dq' + J_v^T (k (p_w - p') + b (v_w - v') - r v') + J_w^T (k_w e_w - b_w w')),
@@ -37,7 +52,6 @@ PlantState restingJoints(const Plant& plant, const Vec3* p_WT) noexcept UNDERACT
 /// springs. M is that of the period's beginning. Weight and Coriolis forces are taken as compensated, as controllers do
 /// while a person guides an arm. Source: Lynch and Park, Modern Robotics, eq. 8.78; Baraff and Witkin 1998 for the
 /// linearised step.
-PlantState advanceJoints(const Plant& plant, PlantState state, const Pushed& pushed, const HandSetpoint& setpoint,
-                         std::int64_t period_ns) noexcept UNDERACT_REAL_TIME;
+extern const Mechanics kSixJointMechanics, kJointMechanics;
 
 }  // namespace underact::sim
