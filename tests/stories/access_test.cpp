@@ -41,6 +41,7 @@ QStringList wrongInWindows(Story& story, QSet<QString>& names) {
 
 /// Those that Qt makes whole: questions, and choosers of files.
 const QSet<QString> kQtsOwn{"dialog.save_plot",
+                            "dialog.film",
                             "dialog.add_curve",
                             "dialog.add_mesh",
                             "dialog.address",

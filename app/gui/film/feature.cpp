@@ -12,7 +12,9 @@ void makeFilmTool(const FeatureParts& parts, ServoListeners& listeners) {
 }  // namespace
 
 FeatureRow filmFeature() {
-  return {.pages = {{"dialog.filming", "window#films"}, {"dialog.film_problems", "window#films"}},
+  return {.pages = {{"dialog.film", "window#films"},
+                    {"dialog.filming", "window#films"},
+                    {"dialog.film_problems", "window#films"}},
           .make = makeFilmTool};
 }
 

@@ -58,6 +58,7 @@ bool FilmTool::begin(const QString& out) {
   progress_->setAttribute(Qt::WA_DeleteOnClose);
   progress_->setMinimumDuration(0);
   progress_->setAutoClose(false);
+  progress_->show();
   connect(progress_, &QProgressDialog::canceled, &process_, &QProcess::terminate);
   process_.start(qEnvironmentVariable("UNDERACT_PROGRAM", QCoreApplication::applicationFilePath()),
                  {"--film", player_.isOpen() ? player_.path() : document_.path(), "--out", out, "--overwrite",
