@@ -34,8 +34,8 @@ QToolBar QToolButton[role="start"], QToolBar QToolButton[role="stop"] { padding:
 QToolBar QToolButton[role="start"] { border: 1px solid %outline; }
 QToolBar QToolButton[role="start"]:focus { border-color: %blue; }
 QToolBar QToolButton[role="stop"] { border: 2px solid %red; padding: 5px 22px; }
-QToolBar QToolButton[role="stop"]:hover, QToolBar QToolButton[role="stop"]:focus { background: %redground; }
-QToolBar QToolButton[role="stop"]:focus { border-color: %blue; }
+QToolBar QToolButton[role="stop"]:hover { background: %redground; }
+QToolBar QToolButton[role="stop"]:focus { background: %redground; border-color: %blue; }
 QToolBar QToolButton[role="record"]:checked { background: %redground; border-color: %red; font-weight: 600; }
 QToolBar QToolButton[role="record"]:checked:focus { border-color: %blue; }
 QToolBar#rail { border-bottom: none; border-right: 1px solid %line; padding: 2px; spacing: 0px; }

@@ -1,7 +1,5 @@
 #include "app/gui/view/film.h"
 
-#include <unistd.h>
-
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <cmath>
@@ -18,11 +16,13 @@
 #include "core/scene/scene_arm.h"
 #include "core/sim/hand_script.h"
 #include "core/system/signals.h"
+#include "core/system/this_process.h"
 #include "device/recorded.h"
 
 namespace underact::gui {
 namespace {
 
+constexpr int kErrors = 2;  // the descriptor of stderr
 constexpr int kMin_px = 64, kMax_px = 4096;
 
 int say(int exit, const QString& sentence) {
@@ -92,7 +92,7 @@ void showProgress(int percent, bool in_lines, int& shown) {
   if (percent == std::exchange(shown, percent)) return;
   if (in_lines) {
     std::fprintf(stderr, "%d\n", percent);
-  } else if (isatty(STDERR_FILENO) != 0) {
+  } else if (system::isTerminal(kErrors)) {
     std::fprintf(stderr, "\r%d %%%s", percent, percent == 100 ? "\n" : "");
   }
 }

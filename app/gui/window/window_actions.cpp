@@ -101,7 +101,7 @@ void addUndo(Actions& actions, QUndoStack& undo) {
                    [forth](const QString& what) { follow(forth, tr("&Redo"), tr("&Redo %1"), what); });
 }
 
-void addPurposes(Actions& actions, const std::function<void(const QString&)>& choose) {
+void addPurposeActions(Actions& actions, const std::function<void(const QString&)>& choose) {
   auto* const group = new QActionGroup(&actions);
   for (const Purpose& one : purposes()) {
     const auto words = [](const char* text) { return QCoreApplication::translate("purpose", text); };
@@ -122,7 +122,7 @@ void addWindowActions(const FeatureParts& parts, const std::vector<FeatureRow>& 
   addServo(parts);
   addFiles(parts, rows);
   addUndo(parts.actions, parts.document.undoStack());
-  addPurposes(parts.actions, choose);
+  addPurposeActions(parts.actions, choose);
   parts.actions.add({"menu.layers", tr("La&yers"), {}, tr("Shows or hides parts of the view."), "layers", tr("Layers")},
                     [](const QVariantList&) { return true; });
   parts.actions.add({"menu.panels", tr("All panels"), {}, tr("Shows or hides any panel."), "more", tr("All panels")},
