@@ -187,6 +187,8 @@ TEST(AccessStory, SoDoesEveryDialogAndWizard) {
   qputenv("UNDERACT_PROGRAM", slow.toLocal8Bit());
   EXPECT_TRUE(story.perform("view.film", temporaryFile("a.webm", "")));
   wrong << wrongInWindows(story, seen);
+  qputenv("UNDERACT_PROGRAM", "/bin/false");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return story.perform("view.film", temporaryFile("b.webm", "")); }, kLong_ms));
   EXPECT_TRUE(
       QTest::qWaitFor([&story] { return story.window().findChild<QWidget*>("dialog.film_problems"); }, kLong_ms));
   wrong << wrongInWindows(story, seen);
