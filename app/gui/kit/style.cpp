@@ -36,6 +36,9 @@ QToolBar QToolButton[role="start"]:focus { border-color: %blue; }
 QToolBar QToolButton[role="stop"] { border: 2px solid %red; padding: 5px 22px; }
 QToolBar QToolButton[role="stop"]:hover { background: %redground; }
 QToolBar QToolButton[role="stop"]:focus { background: %redground; border-color: %blue; }
+QFrame[role="card"] QToolButton { padding: 3px 8px; border: 1px solid %outline; border-radius: 4px; }
+QFrame[role="card"] QToolButton:checked { background: %selected; }
+QFrame[role="card"] QToolButton:focus { border-color: %blue; }
 QToolBar QToolButton[role="record"]:checked { background: %redground; border-color: %red; font-weight: 600; }
 QToolBar QToolButton[role="record"]:checked:focus { border-color: %blue; }
 QToolBar#rail { border-bottom: none; border-right: 1px solid %line; padding: 2px; spacing: 0px; }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/gui/kit/words.h"
+#include "app/gui/model/settings.h"
 #include "app/gui/model/simulated_host.h"
 #include "app/gui/view/film_encoder.h"
 #include "app/gui/view/scene_view.h"
@@ -138,6 +139,7 @@ int makeFilm(const FilmOptions& options) {
   view.setAttribute(Qt::WA_DontShowOnScreen);
   view.resize(options.size);
   view.setTheme(Theme::light());
+  view.setLayers(quietLayers());
   const Problems problems =
       isSession(options.file) ? beginSession(options, subject, view) : beginScene(options, subject, view);
   if (!problems.empty()) return say(problems);
