@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kReplay = "replay.open";  // exists only in a window that can replay
 
-GalleryCallbacks waysOf(Actions& actions, QWidget* window) {
+GalleryCallbacks callbacksFor(Actions& actions, QWidget* window) {
   const auto by = [&actions, window](const QString& action) {
     return [&actions, window, action](const QString& path) {
       actions.perform(action, path);
@@ -35,7 +35,7 @@ void addGalleryActions(Actions& actions, QWidget* window) {
               [&actions, window](const QVariantList& only) {
                 auto* dialog = window->findChild<GalleryDialog*>();
                 if (dialog == nullptr) {
-                  dialog = new GalleryDialog(waysOf(actions, window), only.value(0).toString(), window);
+                  dialog = new GalleryDialog(callbacksFor(actions, window), only.value(0).toString(), window);
                   dialog->setAttribute(Qt::WA_DeleteOnClose);
                 }
                 dialog->show();
