@@ -20,14 +20,22 @@ mkdir -p "$(dirname "$junit")"
   printf '<testsuite name="(empty)"\\n\\ttests="30"\\n\\tfailures="%s"\\n' $failures
   printf '\\tdisabled="0"\\n\\tskipped="%s"\\n\\thostname=""\\n\\ttime="7"\\n\\t>\\n' $skipped
   for n in $(seq 30); do
-    printf '\\t<testcase name="t%s" classname="t%s" time="%s.25" status="run">\\n' $n $n $n
-    printf '\\t\\t<system-out>SKIPPED: duk isn&apos;t &lt;there&gt;\\n</system-out>\\n\\t</testcase>\\n'
+    status=run said=
+    [ $n -gt $failures ] || { status=fail said="passed before\n$(cat said_$n)\n[       OK ] Wall.IsFlat"; }
+    printf '\\t<testcase name="t%s" classname="t%s" time="%s.25" status="%s">\\n' $n $n $n $status
+    printf '\\t\\t<system-out>%b' "$said"
+    printf 'SKIPPED: duk isn&apos;t &lt;there&gt;\\n</system-out>\\n\\t</testcase>\\n'
   done
   echo "</testsuite>"
 } >"$junit"
 [ $failures = 0 ]
 """
 )
+# What the failed ones of its tests say.
+SAID = {
+    "said_1": "a_test.cpp:12: Failure\nExpected: (force) &lt; (1), actual: 2\n[  FAILED  ] Wall.IsHard (3 ms)",
+    "said_2": "Segmentation fault",
+}
 CMAKE = CALLED + """echo "by $(basename "${CXX:-the preset's}"): $2" >>"$LOG.compilers"\n"""
 SANITIZED = ["--preset asan", "--preset tsan"]
 
@@ -38,6 +46,7 @@ class Test(Scripts):
         "packaging/install-deps": CALLED + "exit ${INSTALLED:-0}\n",
         "packaging/compile": BUILD,
         "tests/architecture/each_alone": CALLED + '[ "${BREAK:-}" != alone ]\n',
+        **SAID,
         "bin/cmake": CMAKE,
         "bin/ctest": CTEST,
         # Two that are new enough; the newer one has no sanitizers.
@@ -110,6 +119,16 @@ class Test(Scripts):
         self.assertEqual((status, lines[-1]), (1, "0 passed, 1 failed"))
         status, lines, calls = self.run_it(INSTALLED="1")
         self.assertEqual((status, lines[-1], len(calls)), (1, "0 passed, 1 failed", 1))
+
+    def test_what_failed_is_said_again_at_the_end_without_what_passed(self):
+        _, lines, _ = self.run_it("--sanitizers", FAIL="asan")
+        said = lines[lines.index("failed:") + 1 : -2]
+        wall = ["    a_test.cpp:12: Failure", "    Expected: (force) < (1), actual: 2", "    [  FAILED  ] Wall.IsHard (3 ms)"]
+        self.assertEqual(said[:4], ["  asan t1", *wall])
+        second = said.index("  asan t2")
+        self.assertIn("    Segmentation fault", said[second:])
+        self.assertNotIn("    passed before", said[:second])
+        self.assertNotIn("failed:", self.run_it("--sanitizers")[1])
 
     def test_what_is_skipped_is_said_with_its_reason(self):
         status, lines, _ = self.run_it(SKIP="release")
