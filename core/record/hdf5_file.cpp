@@ -21,7 +21,7 @@ namespace {
 // What a writer is just changing is read again, after a pause that doubles each time: 24 times take 20 ms. The
 // library's own 100 would never end where the file is damaged.
 constexpr unsigned kAttempts = 24;
-// A new session needs less. A file that is full before that cannot be closed, and the library crashes at the exit.
+// A new session needs less. A file that is full before that cannot be closed.
 constexpr std::int64_t kToBegin = 256 << 10;
 
 Problems problemAt(const std::string& path, Sentence sentence) {

@@ -11,11 +11,24 @@ namespace underact::record {
 
 static_assert(std::is_same_v<Handle, hid_t>);
 
+namespace {
+
+// What is left of a file that could not be closed, on a full disk, makes the library's work at the exit crash. All
+// files are closed before, and what the library has in memory beyond them is lost either way.
+void leaveTheExitAlone() {
+  static const herr_t once = H5dont_atexit();
+  (void)once;
+}
+
+}  // namespace
+
 bool startHdf5() {
+  leaveTheExitAlone();
   return H5open() >= 0 && H5PLset_loading_state(0) >= 0;
 }
 
 void quiet() {
+  leaveTheExitAlone();
   thread_local const herr_t once = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   (void)once;
 }

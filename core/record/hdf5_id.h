@@ -46,7 +46,8 @@ class Id {
   Close close_ = nullptr;
 };
 
-/// Switches off the library's own error output. It is a setting of each thread, so each entry point calls this.
+/// Switches off the library's own error output, a setting of each thread, and its work at the exit, which it takes over
+/// with the first call of any of its functions: so each entry point calls this first.
 void quiet();
 
 /// An attribute of a file: text or a number.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/arm/model.h"
+#include "core/record/hdf5_id.h"
 #include "core/record/laws.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
@@ -57,6 +58,7 @@ std::string dotted(std::initializer_list<int> numbers) {
 
 /// What was compiled in by its version, then what is loaded, by its build id.
 std::vector<ObjectText> libraries(const std::vector<system::Loaded>& loaded) {
+  quiet();
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
   std::vector<ObjectText> list{

@@ -131,6 +131,25 @@ void expectOk(void (*act)(const std::string& folder)) {
   EXPECT_EQ(WEXITSTATUS(status), kOk);
 }
 
+/// A file that a full disk keeps from being closed, as there is no descriptor left for writing to nothing instead; then
+/// the program exits.
+[[noreturn]] void leaveWhatCannotBeClosed(const std::string& folder) {
+  const test::FullDisk small(400'000);
+  {
+    const auto host = test::makeHost(servo::Clock::Manual, "probe");
+    Result<SessionWriter> writer = SessionWriter::create(folder + "/s.h5", {});
+    if (!writer || !writer.value().begin(0, 0, {}, host->scene()).empty()) _exit(kNotWhole);
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_NOFILE, &none);
+    servo::TickRecord record;
+    Problems problems;
+    for (record.tick = 0; record.tick < 5'000 && problems.empty(); ++record.tick) problems = writer.value().add(record);
+    if (problems.empty()) problems = writer.value().flush();
+    if (problems.empty()) _exit(kNoSentence);
+  }
+  std::exit(kOk);
+}
+
 TEST(Disk, ThatIsFullLeavesASessionThatWasEndedInOrder) {
   expectOk(recordOnSmallDisk);
 }
@@ -141,6 +160,10 @@ TEST(Disk, OfFewMegabytesIsUsedUntilItIsNearlyFull) {
 
 TEST(Disk, ThatIsFullIsMetBeforeTheLibraryMeetsItHoweverLateItWrites) {
   expectOk(flushTooLate);
+}
+
+TEST(Disk, ThatIsFullLetsTheProgramExitInOrder) {
+  expectOk(leaveWhatCannotBeClosed);
 }
 #endif
 
