@@ -61,9 +61,19 @@ class Stop(Served):
         words = [sys.executable, script, self.url, self.token_file, 3600, seed]
         return subprocess.Popen([*map(str, words)], stderr=subprocess.DEVNULL)
 
+    def start(self, live: underact.Live) -> None:
+        """Turns the force on, once more if another client stopped it in between."""
+        for _ in range(100):
+            try:
+                live.start()
+                return
+            except underact.Refused as refused:
+                self.assertIn("stopped after this request", str(refused))
+        self.fail("others stopped it every time")
+
     def press(self, draw: random.Random, live: underact.Live) -> list[int]:
         """Starts, and stops at some moment: when, or none if another had stopped it before."""
-        live.start()
+        self.start(live)
         time.sleep(0.4 + draw.uniform(0, 0.2))
         if live.status()["mode"] != "running":
             return []
@@ -80,7 +90,7 @@ class Stop(Served):
             try:
                 with self.connect("person") as live:
                     stops_ns = sum((self.press(draw, live) for _ in range(STOPS_A_RUN)), [])
-                    live.start()
+                    self.start(live)
                     time.sleep(0.4)
                     stops_ns.append(time.monotonic_ns())
                     process.send_signal(signal.SIGINT)
