@@ -9,9 +9,9 @@ const fixed = (value, decimals) => (Number.isFinite(value) ? value.toFixed(decim
 
 /** What is said of who steers, where it is not this page. */
 function holderText(by, may) {
-  if (by === "") return "Nobody steers. The first change, or Start, takes the steering.";
-  if (may) return `“${by}” steers. The first change here takes the steering.`;
-  return `“${by}” steers. You can watch, and stop. The sliders work again once it gives the steering back.`;
+  if (by === "") return "Nobody is in control. The first change, or Start, takes control.";
+  if (may) return `“${by}” is in control. The first change here takes it.`;
+  return `“${by}” is in control. You can watch, and stop. The sliders work again once it releases control.`;
 }
 
 export class Desk {
@@ -34,8 +34,8 @@ export class Desk {
 
   /** by: who steers, "": nobody. may: this page may steer now, or take the steering by doing so. */
   steering({ by, is_ours, may, is_connected }) {
-    this.parts.holder.textContent = !is_connected ? "–" : is_ours ? "This page steers." : holderText(by, may);
-    this.parts.lease.textContent = is_ours ? "Give steering back" : "Take steering";
+    this.parts.holder.textContent = !is_connected ? "–" : is_ours ? "This page is in control." : holderText(by, may);
+    this.parts.lease.textContent = is_ours ? "Release control" : "Take control";
     this.parts.lease.disabled = !is_connected;
     this.parts.start.disabled = !is_connected || !may;
     this.parts.stop.disabled = !is_connected;

@@ -43,7 +43,7 @@ class Teller {
 
   Sentence operator()(const Span& span) const {
     const double by = state_.spanning ? state_.max - state_.min : 0.0;
-    return phrase(TRANSLATE_NOOP("problem", "%1 covered %2 of %3."),
+    return phrase(TRANSLATE_NOOP("problem", "%1 moved through %2; required: %3."),
                   {name(span.measure), amount(span.measure, by), amount(span.measure, span.by)});
   }
 
@@ -83,8 +83,8 @@ class Teller {
   }
 
   Sentence answered(const Sentence& answer) const {
-    return phrase(state_.solved ? TRANSLATE_NOOP("problem", "%1 is right.")
-                                : TRANSLATE_NOOP("problem", "%1 is not right. Try again."),
+    return phrase(state_.solved ? TRANSLATE_NOOP("problem", "%1 is correct.")
+                                : TRANSLATE_NOOP("problem", "%1 is not correct. Try again."),
                   {answer});
   }
 

@@ -216,9 +216,9 @@ std::span<const Quantity> quantities() {
       {"stylus", TRANSLATE_NOOP("problem", "The direction of the stylus"), "", 2, 3, Angle, Nothing,
        "Direction of the stylus: z of frame 6 in W. The distance between two directions is an angle.",
        [](const Observation& seen) { return three(arm::tipPose(seen.arm.geometry, seen.tick.q_rad).linear().col(2)); }},
-      {"q_deg", TRANSLATE_NOOP("problem", "The joint angle"), "°", 1, 8, Largest, Nothing,
+      {"q_deg", TRANSLATE_NOOP("problem", "Joint angle"), "°", 1, 8, Largest, Nothing,
        "Joint angles of the DH table; prismatic joints in mm.", joints},
-      {"device_deg", TRANSLATE_NOOP("problem", "The device's angle"), "°", 1, 6, Largest, Nothing,
+      {"device_deg", TRANSLATE_NOOP("problem", "Device angle"), "°", 1, 6, Largest, Nothing,
        "The device's own angles: turret, thigh, shin (from the base), gimbal 1 to 3.", deviceAngles_deg},
       {"branch", TRANSLATE_NOOP("problem", "The solution"), "", 0, 1, Euclidean, Nothing,
        "Number of the arm's current inverse solution, as in the panel Kinematics.", branch},
@@ -254,7 +254,7 @@ std::span<const Quantity> quantities() {
       {"asked_N", TRANSLATE_NOOP("problem", "The commanded force"), "N", 2, 1, Euclidean, Nothing,
        "Magnitude of the commanded force, before the limits.",
        [](const Observation& seen) { return one(seen.tick.f_asked_T_W.norm()); }},
-      {"torque_N_mm", TRANSLATE_NOOP("problem", "The joint torque"), "N mm", 1, 3, Euclidean, Nothing,
+      {"torque_N_mm", TRANSLATE_NOOP("problem", "Joint torque"), "N mm", 1, 3, Euclidean, Nothing,
        "Torques of joints 1 to 3 for the force that is sent: J_p transposed times f.",
        [](const Observation& seen) {
          return three(kMillimetrePerMetre * arm::torqueOf(seen.arm.geometry, seen.tick.q_rad, seen.tick.f_sent_T_W));

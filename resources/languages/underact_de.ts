@@ -341,8 +341,8 @@ z [mm]</translation>
         <translation>Strg und Pfeiltasten</translation>
     </message>
     <message>
-        <source>turn the stylus; only turned, it goes where the scene sends it</source>
-        <translation>drehen den Stift; nur gedreht, geht er dorthin, wohin ihn die Szene schickt</translation>
+        <source>turn the stylus; its position then follows the scene</source>
+        <translation>drehen den Stift; seine Position folgt dabei der Szene</translation>
     </message>
     <message>
         <source>Game controller, 3D mouse</source>
@@ -701,7 +701,7 @@ Grenze: %4 (%5).</translation>
         <translation>%1. %2 beschädigte Takte der Sitzung wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>The recording has %1 files, because one session may not be longer. The last one is %2.</source>
+        <source>The recording was split into %1 files, because a session's length is limited. The last one is %2.</source>
         <translation>Die Aufzeichnung hat %1 Dateien, weil eine Sitzung nicht länger sein darf. Die letzte ist %2.</translation>
     </message>
     <message>
@@ -2294,7 +2294,7 @@ Drücken Sie Start (F5), gehen Sie zur Mitte und ziehen Sie weg, bis die Kraft z
     <message>
         <source>Turn on **Keep holding** (F6), so that the hand stays where you release the mouse, and pull the stylus away from
 the middle. Read the force from the gauge, and calculate from it how far the tip is from its target.</source>
-        <translation>Schalten Sie **Weiter festhalten** (F6) ein, damit die Hand bleibt, wo Sie die Maus loslassen, und ziehen Sie den Stift von der
+        <translation>Schalten Sie **Festhalten** (F6) ein, damit die Hand bleibt, wo Sie die Maus loslassen, und ziehen Sie den Stift von der
 Mitte weg. Lesen Sie die Kraft an der Anzeige ab, und berechnen Sie daraus, wie weit die Spitze von ihrem Ziel entfernt ist.</translation>
     </message>
     <message>
@@ -3145,7 +3145,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Labor</translation>
     </message>
     <message>
-        <source>Measures what each choice between speed and accuracy costs, with a slider along the best combinations.</source>
+        <source>Measures what each choice between speed and accuracy costs, with a slider along the best trade-offs.</source>
         <translation>Misst, was jede Wahl zwischen Tempo und Genauigkeit kostet, mit einem Schieberegler entlang der besten Kombinationen.</translation>
     </message>
     <message>
@@ -4548,8 +4548,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Noch offen: %1, auf %2 genau. %3.</translation>
     </message>
     <message>
-        <source>%1 covered %2 of %3.</source>
-        <translation>%1 durchlief %2 von %3.</translation>
+        <source>%1 moved through %2; required: %3.</source>
+        <translation>%1: %2 zurückgelegt, %3 nötig.</translation>
     </message>
     <message>
         <source>%1 crossed %2 %3 of %4 times within %5 s.</source>
@@ -4568,11 +4568,11 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zugleich verlangt: %1 %2; jetzt %3.</translation>
     </message>
     <message>
-        <source>%1 is right.</source>
+        <source>%1 is correct.</source>
         <translation>%1 ist richtig.</translation>
     </message>
     <message>
-        <source>%1 is not right. Try again.</source>
+        <source>%1 is not correct. Try again.</source>
         <translation>%1 ist nicht richtig. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
@@ -4620,12 +4620,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Richtung des Stifts</translation>
     </message>
     <message>
-        <source>The joint angle</source>
-        <translation>Der Gelenkwinkel</translation>
+        <source>Joint angle</source>
+        <translation>Gelenkwinkel</translation>
     </message>
     <message>
-        <source>The device's angle</source>
-        <translation>Der Winkel des Geräts</translation>
+        <source>Device angle</source>
+        <translation>Gerätewinkel</translation>
     </message>
     <message>
         <source>The solution</source>
@@ -4676,8 +4676,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die verlangte Kraft</translation>
     </message>
     <message>
-        <source>The joint torque</source>
-        <translation>Das Gelenkdrehmoment</translation>
+        <source>Joint torque</source>
+        <translation>Gelenkmoment</translation>
     </message>
     <message>
         <source>The error</source>
@@ -7230,12 +7230,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Punkt</translation>
     </message>
     <message>
-        <source>A spring in space: the stylus is pulled towards one point, harder the farther away it is. Pull it away along x, y and z, and feel the same spring in each direction; let go, and it returns. Thesis figures 4.2 and 4.3.</source>
-        <translation>Eine Feder im Raum: Der Stift wird zu einem Punkt gezogen, umso stärker, je weiter er weg ist. Ziehen Sie ihn entlang x, y und z weg und fühlen Sie in jeder Richtung dieselbe Feder; lassen Sie los, und er kehrt zurück. Thesis, Abbildungen 4.2 und 4.3.</translation>
+        <source>A spring in space that pulls the stylus to one point. Thesis figures 4.2 and 4.3.</source>
+        <translation>Eine Feder im Raum, die den Stift zu einem Punkt zieht. Thesis, Abbildungen 4.2 und 4.3.</translation>
     </message>
     <message>
-        <source>The same spring in every direction, stronger with every millimetre.</source>
-        <translation>Dieselbe Feder in jeder Richtung, stärker mit jedem Millimeter.</translation>
+        <source>The same spring in every direction: the farther you pull, the harder it pulls back.</source>
+        <translation>Dieselbe Feder in jeder Richtung: Je weiter Sie ziehen, desto stärker zieht sie zurück.</translation>
     </message>
     <message>
         <source>Pull the stylus 1 mm away, then 2 mm: the force doubles. Beyond 1.76 mm it grows no more, because the arm's limit of 0.88 N is reached.</source>
@@ -7250,16 +7250,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>The stylus is held to the surface of a ball of 50 mm radius. Slide over it freely; push in or pull away, and it pulls you back. At the very centre all points of the surface are equally near, so nothing pulls there. Thesis figures 4.5 and 4.6.</source>
-        <translation>Der Stift wird an der Oberfläche einer Kugel mit 50 mm Radius gehalten. Gleiten Sie frei darüber; drücken Sie hinein oder ziehen Sie weg, und sie holt Sie zurück. Genau in der Mitte sind alle Punkte der Oberfläche gleich nah, dort zieht also nichts. Thesis, Abbildungen 4.5 und 4.6.</translation>
+        <source>The stylus is held to the surface of a ball of 50 mm radius. Thesis figures 4.5 and 4.6.</source>
+        <translation>Der Stift wird auf der Oberfläche einer Kugel mit 50 mm Radius gehalten. Thesis, Abbildungen 4.5 und 4.6.</translation>
     </message>
     <message>
-        <source>A ball that holds you on its surface, from inside and from outside. Along the surface nothing holds you.</source>
-        <translation>Eine Kugel, die Sie auf ihrer Oberfläche hält, von innen und von außen. Entlang der Oberfläche hält Sie nichts.</translation>
+        <source>A ball that holds you to its surface, from inside and from outside, and lets you slide along it.</source>
+        <translation>Eine Kugel, die Sie von innen und von außen auf ihrer Oberfläche hält und Sie daran entlanggleiten lässt.</translation>
     </message>
     <message>
-        <source>Slide all the way round. Then move to the very centre, where all points of the surface are equally near: the pull is gone.</source>
-        <translation>Gleiten Sie einmal herum. Gehen Sie dann genau in die Mitte, wo alle Punkte der Oberfläche gleich nah sind: Der Zug ist weg.</translation>
+        <source>Slide all the way round. Then move to the centre: every point of the surface is equally near, and the pull is gone.</source>
+        <translation>Gleiten Sie einmal ganz herum. Gehen Sie dann in die Mitte: Alle Punkte der Oberfläche sind gleich nah, und der Zug ist weg.</translation>
     </message>
     <message>
         <source>$q = c + r \frac{p - c}{|p - c|}$, $f = k_p (q - p)$</source>
@@ -7270,16 +7270,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Gerade</translation>
     </message>
     <message>
-        <source>A straight wire: the stylus slides along it without effort and is held across it. Close your eyes and find out which way the wire runs. Thesis figure 4.8.</source>
-        <translation>Ein gerader Draht: Der Stift gleitet mühelos an ihm entlang und wird quer dazu gehalten. Schließen Sie die Augen und finden Sie heraus, wie der Draht verläuft. Thesis, Abbildung 4.8.</translation>
+        <source>A straight wire that holds the stylus. Thesis figure 4.8.</source>
+        <translation>Ein gerader Draht, der den Stift hält. Thesis, Abbildung 4.8.</translation>
     </message>
     <message>
-        <source>One free direction, and two that hold.</source>
-        <translation>Eine freie Richtung und zwei, die halten.</translation>
+        <source>You slide freely along the wire and are held across it.</source>
+        <translation>Sie gleiten frei am Draht entlang und werden quer dazu gehalten.</translation>
     </message>
     <message>
-        <source>With your eyes closed, find out which way the wire runs. Then check it in the view.</source>
-        <translation>Finden Sie mit geschlossenen Augen heraus, wie der Draht verläuft. Prüfen Sie es dann in der Ansicht.</translation>
+        <source>Close your eyes and find out which way the wire runs. Then check in the view.</source>
+        <translation>Schließen Sie die Augen und finden Sie heraus, wie der Draht verläuft. Prüfen Sie es dann in der Ansicht.</translation>
     </message>
     <message>
         <source>$q = p_0 + \frac{v \cdot (p - p_0)}{v \cdot v} v$, $f = k_p (q - p)$</source>
@@ -7290,12 +7290,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Geneigte Ebene</translation>
     </message>
     <message>
-        <source>A sheet tilted equally to all three axes: two directions are free, the third is held, from both sides. Draw a circle on it without looking. Thesis figure 4.10.</source>
-        <translation>Eine Platte, zu allen drei Achsen gleich geneigt: Zwei Richtungen sind frei, die dritte wird gehalten, von beiden Seiten. Zeichnen Sie ohne hinzusehen einen Kreis darauf. Thesis, Abbildung 4.10.</translation>
+        <source>A sheet tilted equally to all three axes. Thesis figure 4.10.</source>
+        <translation>Ein Blatt, zu allen drei Achsen gleich geneigt. Thesis, Abbildung 4.10.</translation>
     </message>
     <message>
-        <source>Two free directions and one that holds, from both sides.</source>
-        <translation>Zwei freie Richtungen und eine, die hält, von beiden Seiten.</translation>
+        <source>You slide freely over the sheet and are held to it from both sides.</source>
+        <translation>Sie gleiten frei über das Blatt und werden von beiden Seiten daran gehalten.</translation>
     </message>
     <message>
         <source>Draw a circle on the sheet without looking. The green point is the point of the sheet nearest to your tip.</source>
@@ -7310,16 +7310,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kreis in geneigter Ebene</translation>
     </message>
     <message>
-        <source>A ring in a tilted plane, 40 mm in radius. Follow it all the way round: one direction is free, two are held. On its axis every point of the ring is equally near, and nothing pulls. Thesis figure 4.12.</source>
-        <translation>Ein Ring in einer geneigten Ebene, Radius 40 mm. Folgen Sie ihm ganz herum: Eine Richtung ist frei, zwei werden gehalten. Auf seiner Achse ist jeder Punkt des Rings gleich nah, und nichts zieht. Thesis, Abbildung 4.12.</translation>
+        <source>A ring of 40 mm radius in a tilted plane. Thesis figure 4.12.</source>
+        <translation>Ein Ring mit 40 mm Radius in einer geneigten Ebene. Thesis, Abbildung 4.12.</translation>
     </message>
     <message>
-        <source>One free direction that closes on itself.</source>
-        <translation>Eine freie Richtung, die sich zum Kreis schließt.</translation>
+        <source>You slide freely around the ring; in the other two directions you are held.</source>
+        <translation>Sie gleiten frei um den Ring; in den beiden anderen Richtungen werden Sie gehalten.</translation>
     </message>
     <message>
-        <source>Follow the ring all the way round, then move to its axis: there all points of the ring are equally near, and nothing pulls.</source>
-        <translation>Folgen Sie dem Ring ganz herum und gehen Sie dann zu seiner Achse: Dort sind alle Punkte des Rings gleich nah, und nichts zieht.</translation>
+        <source>Follow the ring all the way round. Then move to its axis: every point of the ring is equally near, and the pull is gone.</source>
+        <translation>Folgen Sie dem Ring einmal ganz herum. Gehen Sie dann zu seiner Achse: Alle Punkte des Rings sind gleich nah, und der Zug ist weg.</translation>
     </message>
     <message>
         <source>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + r \frac{e}{|e|}$</source>
@@ -7330,16 +7330,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Geneigter Zylinder</translation>
     </message>
     <message>
-        <source>A tube of 30 mm radius without ends. Slide along it and around it; compare with the ring of scene 05, which lets you do only one of the two. Thesis figure 4.14.</source>
-        <translation>Ein Rohr mit 30 mm Radius, ohne Enden. Gleiten Sie an ihm entlang und um es herum; vergleichen Sie mit dem Ring aus Szene 05, der nur eines von beiden zulässt. Thesis, Abbildung 4.14.</translation>
+        <source>A tube of 30 mm radius without ends. Thesis figure 4.14.</source>
+        <translation>Ein Rohr ohne Enden mit 30 mm Radius. Thesis, Abbildung 4.14.</translation>
     </message>
     <message>
-        <source>Two free directions on a curved surface: along the tube and around it.</source>
-        <translation>Zwei freie Richtungen auf einer gekrümmten Oberfläche: entlang dem Rohr und um es herum.</translation>
+        <source>You slide freely along the tube and around it.</source>
+        <translation>Sie gleiten frei am Rohr entlang und darum herum.</translation>
     </message>
     <message>
-        <source>Draw a helix: slide along the tube and around it at the same time. The ring of scene 05 lets you do only one of the two.</source>
-        <translation>Zeichnen Sie eine Schraubenlinie: Gleiten Sie zugleich am Rohr entlang und um es herum. Der Ring aus Szene 05 lässt nur eines von beiden zu.</translation>
+        <source>Draw a helix: slide along the tube and around it at the same time. The ring of scene 05 allows only one of the two.</source>
+        <translation>Zeichnen Sie eine Schraubenlinie: Gleiten Sie zugleich am Rohr entlang und darum herum. Der Ring der Szene 05 lässt nur eines von beiden zu.</translation>
     </message>
     <message>
         <source>$d = p - c$, $e = d - (d \cdot a) a$, $q = c + (d \cdot a) a + r \frac{e}{|e|}$</source>
@@ -7350,16 +7350,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Quader von außen</translation>
     </message>
     <message>
-        <source>A solid box in mid-air: free all around it, firm where you push in. Stroke its faces, follow an edge, find a corner. Push in deeper than half its thickness and you come out on the other side, because that face is nearer then.</source>
-        <translation>Ein fester Quader in der Luft: frei ringsherum, fest, wo Sie hineindrücken. Streichen Sie über seine Flächen, folgen Sie einer Kante, finden Sie eine Ecke. Drücken Sie tiefer hinein als seine halbe Dicke, so kommen Sie auf der anderen Seite heraus, weil dann jene Fläche näher ist.</translation>
+        <source>A solid box in mid-air.</source>
+        <translation>Ein fester Kasten in der Luft.</translation>
     </message>
     <message>
-        <source>Nothing in the air; firm faces, edges and corners where you push in.</source>
-        <translation>Nichts in der Luft; feste Flächen, Kanten und Ecken, wo Sie hineindrücken.</translation>
+        <source>Free in the air; firm faces, edges and corners where you push in.</source>
+        <translation>Frei in der Luft; feste Flächen, Kanten und Ecken, wo Sie hineindrücken.</translation>
     </message>
     <message>
-        <source>Stroke a face until you fall over the edge. Then push in deeper than half the thickness: now the opposite face is nearer, and you come out there.</source>
-        <translation>Streichen Sie über eine Fläche, bis Sie über die Kante fallen. Drücken Sie dann um mehr als die halbe Dicke hinein: Nun ist die gegenüberliegende Fläche näher, und Sie kommen dort heraus.</translation>
+        <source>Stroke a face until you slip over the edge. Then push in past the middle: the opposite face is nearer there, and you come out on that side.</source>
+        <translation>Streichen Sie über eine Fläche, bis Sie über die Kante gleiten. Drücken Sie dann über die Mitte hinaus: Dort ist die Fläche gegenüber näher, und Sie kommen dort heraus.</translation>
     </message>
     <message>
         <source>inside $f = k_p (q - p)$ with $q$ on the nearest face, outside $f = 0$</source>
@@ -7370,8 +7370,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Raum aus sechs Wänden</translation>
     </message>
     <message>
-        <source>The classic haptic cube: the stylus is free inside and stopped by six walls. At the start it is outside and is pulled in. Run along a wall into a corner: there three walls push at once.</source>
-        <translation>Der klassische haptische Würfel: Der Stift ist innen frei und wird von sechs Wänden aufgehalten. Am Anfang ist er draußen und wird hineingezogen. Fahren Sie an einer Wand entlang in eine Ecke: Dort drücken drei Wände zugleich.</translation>
+        <source>The classic haptic cube. At the start the stylus is outside and is pulled in.</source>
+        <translation>Der klassische haptische Würfel. Am Anfang ist der Stift draußen und wird hineingezogen.</translation>
     </message>
     <message>
         <source>Free in the room, stopped by six walls.</source>
@@ -7390,15 +7390,15 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Wand mit Dämpfung</translation>
     </message>
     <message>
-        <source>A floor 20 mm below the middle, felt only when you push into it. The damping takes the bounce out of the contact: tap the floor, then set kd to 0 and tap again.</source>
-        <translation>Ein Boden 20 mm unter der Mitte, zu fühlen nur, wenn Sie hineindrücken. Die Dämpfung nimmt dem Kontakt das Prellen: Tippen Sie auf den Boden, stellen Sie dann kd auf 0 und tippen Sie noch einmal.</translation>
+        <source>A floor 20 mm below the middle. You feel it only when you push into it; the damping takes the bounce out of the contact.</source>
+        <translation>Ein Boden 20 mm unter der Mitte. Sie fühlen ihn nur, wenn Sie hineindrücken; die Dämpfung nimmt dem Kontakt das Federn.</translation>
     </message>
     <message>
         <source>A floor that does not bounce.</source>
         <translation>Ein Boden, der nicht prellt.</translation>
     </message>
     <message>
-        <source>Tap the floor. Set the damping kd to 0 in the Feel panel and tap again.</source>
+        <source>Tap the floor. Set the damping kd to 0 in the Feel panel, and tap again.</source>
         <translation>Tippen Sie auf den Boden. Stellen Sie im Bereich Fühlen die Dämpfung kd auf 0. Tippen Sie noch einmal.</translation>
     </message>
     <message>
@@ -7410,16 +7410,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zwei Kugeln, die nähere zählt</translation>
     </message>
     <message>
-        <source>The stylus is held to the nearer of two balls. Pull from one to the other: halfway between them, one lets go of you and the other catches you. With "combine" at "sum" both would pull at once.</source>
-        <translation>Der Stift wird an der näheren von zwei Kugeln gehalten. Ziehen Sie von der einen zur anderen: Auf halbem Weg lässt die eine Sie los, und die andere fängt Sie. Mit „combine“ auf „sum“ würden beide zugleich ziehen.</translation>
+        <source>The stylus is held to the nearer of two balls. With "combine" at "sum" both would pull at once.</source>
+        <translation>Der Stift wird auf der näheren von zwei Kugeln gehalten. Mit „combine“ auf „sum“ würden beide zugleich ziehen.</translation>
     </message>
     <message>
         <source>Two balls; only the nearer one holds you.</source>
         <translation>Zwei Kugeln; nur die nähere hält Sie.</translation>
     </message>
     <message>
-        <source>Pull slowly from one ball to the other. In the middle, one lets go of you and the other catches you.</source>
-        <translation>Ziehen Sie langsam von einer Kugel zur anderen. In der Mitte lässt die eine Sie los, und die andere fängt Sie.</translation>
+        <source>Pull slowly from one ball to the other. Halfway, one lets you go and the other catches you.</source>
+        <translation>Ziehen Sie langsam von einer Kugel zur anderen. Auf halbem Weg lässt die eine Sie los, und die andere fängt Sie.</translation>
     </message>
     <message>
         <source>$f = k_p (q_j - p)$, where $j$ is the ball with the smallest $|q_j - p|$</source>
@@ -7430,12 +7430,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Weiche und steife Achsen</translation>
     </message>
     <message>
-        <source>One point, three springs: stiff to the sides, soft up and down, softer still back and forth. Pull the stylus diagonally: the force does not point along your pull. Thesis section 4.1, with the gain as a vector.</source>
-        <translation>Ein Punkt, drei Federn: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück. Ziehen Sie den Stift schräg: Die Kraft zeigt nicht entlang Ihrem Zug. Thesis, Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
+        <source>One point with a spring for each axis. Thesis section 4.1, with the gain as a vector.</source>
+        <translation>Ein Punkt mit einer Feder je Achse. Thesis, Abschnitt 4.1, mit der Verstärkung als Vektor.</translation>
     </message>
     <message>
-        <source>A spring for each axis: stiff to the sides, soft up and down, softer still back and forth.</source>
-        <translation>Eine Feder je Achse: steif zu den Seiten, weich nach oben und unten, noch weicher vor und zurück.</translation>
+        <source>Stiff to the sides, soft up and down, softer still back and forth.</source>
+        <translation>Steif zu den Seiten, weich auf und ab, noch weicher vor und zurück.</translation>
     </message>
     <message>
         <source>Pull diagonally and watch the arrow: the force does not point along your pull.</source>
@@ -7450,8 +7450,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Gerade mit PID</translation>
     </message>
     <message>
-        <source>The wire of scene 03 with a PID control law. Hold the stylus a little off the wire: the force keeps growing, up to the limit of the arm, because the integral accumulates the error. Then let it snap back, and see it overshoot.</source>
-        <translation>Der Draht aus Szene 03 mit einem PID-Regelgesetz. Halten Sie den Stift ein wenig neben dem Draht: Die Kraft wächst weiter bis zur Grenze des Arms, weil das Integral den Fehler aufsummiert. Lassen Sie ihn dann zurückschnellen und sehen Sie ihn überschwingen.</translation>
+        <source>The wire of scene 03 with a PID control law. The integral accumulates the error, up to the limit of the arm.</source>
+        <translation>Der Draht der Szene 03 mit PID-Regelgesetz. Das Integral summiert den Fehler auf, bis zur Grenze des Arms.</translation>
     </message>
     <message>
         <source>A force that keeps growing while you stay beside the wire, and overshoots when you let go.</source>
@@ -7470,12 +7470,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kugel, gehalten von den Gelenken</translation>
     </message>
     <message>
-        <source>The same ball as in scene 02, but the control law acts on the joint angles: it pulls each joint towards its angle at the target. Slide around the ball: the pull is oblique, soft in one direction and stiff in another, and carries you along the surface. Thesis section 4.1 calls this scheme more difficult; this is why.</source>
-        <translation>Dieselbe Kugel wie in Szene 02, aber das Regelgesetz wirkt auf die Gelenkwinkel: Es zieht jedes Gelenk zu seinem Winkel am Ziel. Gleiten Sie um die Kugel: Der Zug ist schräg, in einer Richtung weich und in einer anderen steif, und trägt Sie die Oberfläche entlang. Abschnitt 4.1 der Thesis nennt dieses Verfahren schwieriger; hier ist der Grund.</translation>
+        <source>The ball of scene 02, but the control law acts on the joint angles: it pulls each joint towards its angle at the target. Thesis section 4.1 calls this scheme more difficult; this is why.</source>
+        <translation>Die Kugel der Szene 02, aber das Regelgesetz wirkt auf die Gelenkwinkel: Es zieht jedes Gelenk zu seinem Winkel am Ziel. Die Thesis, Abschnitt 4.1, nennt dieses Verfahren schwieriger; hier fühlt man, warum.</translation>
     </message>
     <message>
-        <source>The same ball, controlled in joint space: soft in one direction, stiff in another, and never quite straight.</source>
-        <translation>Dieselbe Kugel, geregelt im Gelenkraum: weich in einer Richtung, steif in einer anderen und nie ganz gerade.</translation>
+        <source>Soft in one direction, stiff in another, and never quite straight.</source>
+        <translation>Weich in einer Richtung, steif in einer anderen, und nie ganz gerade.</translation>
     </message>
     <message>
         <source>Slide around the ball and compare with scene 02. The pull is oblique and carries you along.</source>
@@ -7490,12 +7490,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kreis mit Einfluss</translation>
     </message>
     <message>
-        <source>The target depends half on the position of the tip, half on where the stylus points: turn the stylus without moving it, and it is pulled around the rim. Point it along the axis of the circle, and only the position counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
-        <translation>Das Ziel hängt zur Hälfte von der Position der Spitze ab und zur Hälfte davon, wohin der Stift zeigt: Drehen Sie den Stift, ohne ihn zu verschieben, und er wird am Rand herumgezogen. Richten Sie ihn entlang der Achse des Kreises, so zählt nur der Ort. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
+        <source>The target depends half on the position of the tip, half on where the stylus points. Point it along the axis of the circle, and only the position counts. Thesis section 5.1, figures 5.6 and 5.7.</source>
+        <translation>Das Ziel hängt halb von der Position der Spitze ab und halb davon, wohin der Stift zeigt. Zeigt er entlang der Achse des Kreises, zählt nur die Position. Thesis, Abschnitt 5.1, Abbildungen 5.6 und 5.7.</translation>
     </message>
     <message>
-        <source>A target halfway between where you point and where you are: turn the stylus, and it pulls you around the ring.</source>
-        <translation>Ein Ziel auf halbem Weg zwischen dem, wohin Sie zeigen, und dem, wo Sie sind: Drehen Sie den Stift, und es zieht Sie um den Ring.</translation>
+        <source>Turn the stylus without moving it, and it is pulled around the ring.</source>
+        <translation>Drehen Sie den Stift, ohne ihn zu bewegen, und er wird um den Ring gezogen.</translation>
     </message>
     <message>
         <source>Keep your hand still and turn the stylus with Ctrl and the mouse. Then set t to 0, then to 1, in the Feel panel.</source>
@@ -7510,15 +7510,15 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zylinder mit Einfluss</translation>
     </message>
     <message>
-        <source>Slide along the tube freely; around it you are pulled to where the stylus points. Thesis section 5.1, on a tilted cylinder.</source>
-        <translation>Gleiten Sie frei das Rohr entlang; um das Rohr herum werden Sie dorthin gezogen, wohin der Stift zeigt. Thesis, Abschnitt 5.1, an einem geneigten Zylinder.</translation>
+        <source>The influence of scene 14 on a tilted cylinder. Thesis section 5.1.</source>
+        <translation>Der Einfluss der Szene 14 auf einem geneigten Zylinder. Thesis, Abschnitt 5.1.</translation>
     </message>
     <message>
-        <source>Free along the tube; around it you are pulled to where you point.</source>
-        <translation>Frei entlang dem Rohr; um es herum werden Sie dorthin gezogen, wohin Sie zeigen.</translation>
+        <source>You slide freely along the tube; around it you are pulled to where the stylus points.</source>
+        <translation>Sie gleiten frei am Rohr entlang; um das Rohr werden Sie dorthin gezogen, wohin der Stift zeigt.</translation>
     </message>
     <message>
-        <source>Slide along the tube without turning the stylus, then turn it: it pulls you round.</source>
+        <source>Slide along the tube without turning the stylus. Then turn it: it pulls you round.</source>
         <translation>Gleiten Sie das Rohr entlang, ohne den Stift zu drehen, und drehen Sie ihn dann: Es zieht Sie herum.</translation>
     </message>
     <message>
@@ -7530,12 +7530,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein Roboter mit einem Gelenk</translation>
     </message>
     <message>
-        <source>The end effector of a virtual robot with one joint and a link of 50 mm. It follows the position and the orientation of the stylus, each with its own stiffness, 0.5 N/mm and 250 N mm/rad as in the thesis (section 5.2). Turn the stylus, and you are pulled around the rim; the corresponding moment is shown but never sent.</source>
-        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt der Position und der Orientierung des Stifts, jeweils mit eigener Steifigkeit, 0,5 N/mm und 250 N mm/rad wie in der Thesis (Abschnitt 5.2). Drehen Sie den Stift, und Sie werden am Rand herumgezogen; das zugehörige Moment wird angezeigt, aber nie gesendet.</translation>
+        <source>The end effector of a virtual robot with one joint and a link of 50 mm. It follows the position and the orientation of the stylus, each with its own stiffness: 0.5 N/mm and 250 N mm/rad, as in thesis section 5.2.</source>
+        <translation>Der Endeffektor eines virtuellen Roboters mit einem Gelenk und einem Glied von 50 mm. Er folgt der Position und der Orientierung des Stifts, jeder mit eigener Steifigkeit: 0,5 N/mm und 250 N mm/rad wie in der Thesis, Abschnitt 5.2.</translation>
     </message>
     <message>
-        <source>The end effector of a robot with one joint, which turns to where you are and to where you point.</source>
-        <translation>Der Endeffektor eines Roboters mit einem Gelenk, der sich dorthin dreht, wo Sie sind und wohin Sie zeigen.</translation>
+        <source>A robot with one joint that turns to where you are and to where you point.</source>
+        <translation>Ein Roboter mit einem Gelenk, der sich dorthin dreht, wo Sie sind und wohin Sie zeigen.</translation>
     </message>
     <message>
         <source>Turn the stylus and let yourself be pulled around the rim. The corresponding moment is shown in the Robot panel but never sent.</source>
@@ -7550,8 +7550,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Derselbe Roboter, das Kraftgesetz der Thesis</translation>
     </message>
     <message>
-        <source>The robot of scene 16 with the thesis's own force law (code 5.2, misprints corrected). The joint follows the position of the stylus alone, and the orientation error pulls along the rim; near the rim the two laws feel alike. Move around a loop inside the circle without turning the stylus: this law does work on your hand, the other does none.</source>
-        <translation>Der Roboter aus Szene 16 mit dem eigenen Kraftgesetz der Thesis (Code 5.2, ohne dessen Druckfehler). Das Gelenk folgt allein dem Ort des Stifts, und der Orientierungsfehler zieht entlang dem Rand; nahe am Rand fühlen sich beide Gesetze gleich an. Fahren Sie innerhalb des Kreises eine Schleife, ohne den Stift zu drehen: Dieses Gesetz verrichtet Arbeit an Ihrer Hand, das andere nicht.</translation>
+        <source>The robot of scene 16 with the thesis's own force law (code 5.2, misprints corrected): the joint follows the position of the stylus alone, and the orientation error pulls along the rim.</source>
+        <translation>Der Roboter der Szene 16 mit dem Kraftgesetz der Thesis (Code 5.2, Druckfehler berichtigt): Das Gelenk folgt nur der Position des Stifts, und der Orientierungsfehler zieht am Rand entlang.</translation>
     </message>
     <message>
         <source>Almost the same as scene 16, but this law can give out more energy than it received.</source>
@@ -7570,16 +7570,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Eine Kugel aus zwei Gelenken</translation>
     </message>
     <message>
-        <source>Two joints whose axes intersect at right angles: their end effector moves on a sphere of 40 mm radius. Where you point pulls you across it, with 250 N mm/rad against 0.5 N/mm. The closed form and the iteration give the same result; switch the solver and feel that nothing changes.</source>
-        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig schneiden: Ihr Endeffektor bewegt sich auf einer Kugel mit 40 mm Radius. Wohin Sie zeigen, zieht Sie auf ihr entlang, mit 250 N mm/rad gegen 0,5 N/mm. Die geschlossene Form und die Iteration ergeben dasselbe; wechseln Sie den Löser und fühlen Sie, dass sich nichts ändert.</translation>
+        <source>Two joints whose axes intersect at right angles: their end effector moves on a sphere of 40 mm radius. The orientation acts with 250 N mm/rad, the position with 0.5 N/mm.</source>
+        <translation>Zwei Gelenke, deren Achsen sich rechtwinklig schneiden: Ihr Endeffektor bewegt sich auf einer Kugel mit 40 mm Radius. Die Orientierung wirkt mit 250 N mm/rad, die Position mit 0,5 N/mm.</translation>
     </message>
     <message>
         <source>A sphere made of two joints; where you point pulls you across it.</source>
         <translation>Eine Kugel aus zwei Gelenken; wohin Sie zeigen, zieht Sie auf ihr entlang.</translation>
     </message>
     <message>
-        <source>Switch the solver from closed form to iteration in the Robot panel and feel that nothing changes.</source>
-        <translation>Wechseln Sie im Bereich Roboter den Löser von der geschlossenen Form zur Iteration und fühlen Sie, dass sich nichts ändert.</translation>
+        <source>Switch the solver from closed form to iterative in the Robot panel: it feels the same.</source>
+        <translation>Stellen Sie im Bereich Roboter den Löser von der geschlossenen Form auf Iteration um: Es fühlt sich gleich an.</translation>
     </message>
     <message>
         <source>$n$ is the unit vector along $k_p R (p - c) + k_o z$, $q = c + R n$, $f = k_p (q - p)$</source>
@@ -7590,12 +7590,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Viergelenk, von der Hand geschlossen</translation>
     </message>
     <message>
-        <source>A crank of 30 mm and a coupler of 70 mm on one side, a rocker of 50 mm on the other, pivots 60 mm apart: two robots whose end effectors meet at your stylus, the fourth joint of the linkage. You swing on the rocker's circle as far as crank and coupler reach; at its ends they are aligned, and you feel the dead centre.</source>
-        <translation>Eine Kurbel von 30 mm und eine Koppel von 70 mm auf der einen Seite, eine Schwinge von 50 mm auf der anderen, die Drehpunkte 60 mm auseinander: zwei Roboter, deren Endeffektoren sich in Ihrem Stift treffen, dem vierten Gelenk des Getriebes. Sie schwingen auf dem Kreis der Schwinge, so weit Kurbel und Koppel reichen; an seinen Enden liegen sie auf einer Geraden, und Sie fühlen den Totpunkt.</translation>
+        <source>Two robots whose end effectors meet at your stylus, the fourth joint of the linkage: a crank of 30 mm with a coupler of 70 mm, and a rocker of 50 mm, pivots 60 mm apart.</source>
+        <translation>Zwei Roboter, deren Endeffektoren sich an Ihrem Stift treffen, dem vierten Gelenk des Getriebes: eine Kurbel von 30 mm mit einer Koppel von 70 mm und eine Schwinge von 50 mm, Drehpunkte 60 mm voneinander entfernt.</translation>
     </message>
     <message>
-        <source>The rocker's circle, as far as crank and coupler reach.</source>
-        <translation>Der Kreis der Schwinge, so weit Kurbel und Koppel reichen.</translation>
+        <source>You swing on the rocker's circle, as far as crank and coupler reach.</source>
+        <translation>Sie schwingen auf dem Kreis der Schwinge, so weit Kurbel und Koppel reichen.</translation>
     </message>
     <message>
         <source>Swing to both ends. There crank and coupler are aligned, and you feel the dead centre.</source>
@@ -7610,12 +7610,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>SCARA</translation>
     </message>
     <message>
-        <source>An assembly robot: two revolute joints with vertical axes, a vertical prismatic joint and a rotating gripper. Within its reach nothing holds you; what you feel are its limits: the elbow's, the prismatic joint's at 25 mm up and down, and the rim where the arm is stretched.</source>
-        <translation>Ein Montageroboter: zwei Drehgelenke mit senkrechten Achsen, ein senkrechtes Schubgelenk und ein drehbarer Greifer. In seiner Reichweite hält Sie nichts; was Sie fühlen, sind seine Grenzen: die des Ellbogens, die des Schubgelenks 25 mm weiter oben und unten und der Rand, an dem der Arm gestreckt ist.</translation>
+        <source>An assembly robot: two revolute joints with vertical axes, a vertical prismatic joint and a rotating gripper.</source>
+        <translation>Ein Montageroboter: zwei Drehgelenke mit senkrechten Achsen, ein senkrechtes Schubgelenk und ein drehbarer Greifer.</translation>
     </message>
     <message>
-        <source>Nothing within the reach; joint limits where it ends.</source>
-        <translation>Nichts innerhalb der Reichweite; Gelenkgrenzen, wo sie aufhört.</translation>
+        <source>Free within the robot&apos;s reach; joint limits where it ends.</source>
+        <translation>Frei innerhalb der Reichweite; Gelenkanschläge, wo sie endet.</translation>
     </message>
     <message>
         <source>Find the limits of the elbow and of the prismatic joint, 25 mm up and down, and the rim where the arm is stretched.</source>
@@ -7630,8 +7630,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>PUMA 560, ein Viertel so groß</translation>
     </message>
     <message>
-        <source>The classic robot of robotics courses, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986). Six joints follow six coordinates: within its reach you are free in position and orientation. Move to its limits: a stretched elbow, a joint at its stop. There it cannot follow, and you feel why.</source>
-        <translation>Der Klassiker der Robotikkurse im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986). Sechs Gelenke folgen sechs Koordinaten: In seiner Reichweite sind Sie in Ort und Orientierung frei. Gehen Sie an seine Grenzen: ein gestreckter Ellbogen, ein Gelenk am Anschlag. Dort kann er nicht folgen, und Sie fühlen, warum.</translation>
+        <source>The classic robot of robotics courses, at a scale of 1:4 (lengths after Armstrong, Khatib and Burdick 1986).</source>
+        <translation>Der klassische Roboter der Robotikvorlesungen im Maßstab 1:4 (Längen nach Armstrong, Khatib und Burdick 1986).</translation>
     </message>
     <message>
         <source>Six joints follow six coordinates: free within the reach, held at its edge.</source>
@@ -7650,12 +7650,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Sechs Gelenke, außer Reichweite</translation>
     </message>
     <message>
-        <source>The arm's own kinematic chain at a third of its size, placed on the left: it reaches 92 mm. In most of the workspace your stylus is out of its reach, so it is stretched, in a singular configuration, and points at you; the force acts along it, and it still follows the orientation. Move left into its reach, and it lets you go.</source>
-        <translation>Die kinematische Kette des Arms selbst, auf ein Drittel verkleinert und links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außerhalb ihrer Reichweite; sie ist deshalb gestreckt, in einer singulären Stellung, und zeigt auf Sie; die Kraft wirkt entlang der Kette, und sie folgt weiter der Orientierung. Gehen Sie nach links in ihre Reichweite, und sie lässt Sie los.</translation>
+        <source>The arm's own kinematic chain at a third of its size, placed on the left: it reaches 92 mm. In most of the workspace your stylus is out of its reach.</source>
+        <translation>Die kinematische Kette des Arms selbst auf ein Drittel verkleinert, links aufgestellt: Sie reicht 92 mm weit. Im größten Teil des Arbeitsraums ist Ihr Stift außer Reichweite.</translation>
     </message>
     <message>
-        <source>A small arm that cannot reach you and, stretched, points at you.</source>
-        <translation>Ein kleiner Arm, der Sie nicht erreicht und gestreckt auf Sie zeigt.</translation>
+        <source>A small arm that cannot reach you: stretched out, it points at you and pulls.</source>
+        <translation>Ein kleiner Arm, der Sie nicht erreicht: Gestreckt zeigt er auf Sie und zieht.</translation>
     </message>
     <message>
         <source>Move left into its reach: it lets you go. Outside it, turn the stylus: the arm still follows the orientation.</source>
@@ -7670,8 +7670,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zwei Balken, einer weicher</translation>
     </message>
     <message>
-        <source>Two cantilever beams, 70 mm long, clamped at the back. The left one bends by 1 mm for 0.03 N at its tip, the right one for 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Press each one down, and tell which is stiffer. Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), whose end effector follows the deflection curve of the beam to within half a percent of its length. The panel Threshold measures how small a difference you can feel.</source>
-        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Der linke biegt sich bei 0,03 N an seiner Spitze um 1 mm durch, der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Drücken Sie beide nach unten und sagen Sie, welcher steifer ist. Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Pseudo-Starrkörper-Modell von Howell, 2001), dessen Endeffektor der Durchbiegungskurve des Balkens auf ein halbes Prozent seiner Länge genau folgt. Der Bereich Schwelle misst, einen wie kleinen Unterschied Sie fühlen können.</translation>
+        <source>Two cantilever beams, 70 mm long, clamped at the back. To bend by 1 mm, the left one takes 0.03 N at its tip, the right one 0.045 N (EI = k L^3 / 3: 3430 and 5145 N mm^2). Each beam is a robot with one elastic joint and a link of 0.85 L (Howell's pseudo-rigid-body model, 2001), within half a percent of the beam's deflection curve. The panel Threshold measures how small a difference you can feel.</source>
+        <translation>Zwei Kragbalken, 70 mm lang, hinten eingespannt. Um 1 mm biegen sich der linke bei 0,03 N an der Spitze und der rechte bei 0,045 N (EI = k L^3 / 3: 3430 und 5145 N mm^2). Jeder Balken ist ein Roboter mit einem elastischen Gelenk und einem Glied von 0,85 L (Howells Pseudo-Starrkörper-Modell, 2001), auf ein halbes Prozent genau auf der Biegelinie. Der Bereich Schwelle misst, wie kleine Unterschiede Sie fühlen.</translation>
     </message>
     <message>
         <source>Two beams that bend, one softer than the other.</source>
@@ -7690,16 +7690,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zu steif für seinen Servo</translation>
     </message>
     <message>
-        <source>A ball whose surface is too stiff to be stable with ticks of a millisecond. Move through it and along it and watch the energy: where it falls below 0, the ball has given out more than it received. Then set Passivity to Control and repeat.</source>
-        <translation>Eine Kugel, deren Oberfläche zu steif ist, um bei Takten von einer Millisekunde stabil zu sein. Gehen Sie durch sie hindurch und an ihr entlang und beobachten Sie die Energie: Wo sie unter 0 fällt, hat die Kugel mehr abgegeben, als sie bekommen hat. Stellen Sie dann Passivität auf Regeln und wiederholen Sie es.</translation>
+        <source>A ball whose surface is too stiff to be stable with ticks of a millisecond.</source>
+        <translation>Eine Kugel, deren Oberfläche für Takte von einer Millisekunde zu steif ist, um stabil zu sein.</translation>
     </message>
     <message>
         <source>A surface too stiff for the servo loop: it buzzes, and gives out more energy than it received.</source>
         <translation>Eine Oberfläche, die für die Servoschleife zu steif ist: Sie brummt und gibt mehr Energie ab, als sie bekommen hat.</translation>
     </message>
     <message>
-        <source>Watch the energy fall below 0. Then set Passivity to Control in the Feel panel.</source>
-        <translation>Beobachten Sie, wie die Energie unter 0 fällt. Stellen Sie dann im Bereich Fühlen Passivität auf Regeln.</translation>
+        <source>Move through the surface and along it, and watch the energy fall below 0. Then set Passivity to Control in the Feel panel.</source>
+        <translation>Bewegen Sie sich durch die Oberfläche und daran entlang, und sehen Sie, wie die Energie unter 0 fällt. Stellen Sie dann im Bereich Fühlen die Passivität auf Regeln.</translation>
     </message>
     <message>
         <source>a wall is passive for any hand while $b &gt; \frac{K T}{2} + |B|$; $b$: the arm's damping, $T$: the duration of a tick</source>
@@ -7710,16 +7710,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Torusknoten</translation>
     </message>
     <message>
-        <source>A body from an STL file, felt from outside. Follow the tube round and round: it goes through its own hole three times. However hard you press, you stay on the side you came from. meshes/ contains the same knot with 1000 and with 300 000 triangles: choose another file, and feel how little changes.</source>
-        <translation>Ein Körper aus einer STL-Datei, von außen gefühlt. Folgen Sie dem Rohr rundherum und rundherum: Es geht dreimal durch sein eigenes Loch. Wie fest Sie auch drücken, Sie bleiben auf der Seite, von der Sie kamen. meshes/ enthält denselben Knoten mit 1000 und mit 300 000 Dreiecken: Wählen Sie eine andere Datei und fühlen Sie, wie wenig sich ändert.</translation>
+        <source>A body from an STL file, felt from outside. meshes/ contains the same knot with 1000 and with 300 000 triangles: choose another file, and feel how little changes.</source>
+        <translation>Ein Körper aus einer STL-Datei, von außen gefühlt. meshes/ enthält denselben Knoten mit 1000 und mit 300 000 Dreiecken: Wählen Sie eine andere Datei, und fühlen Sie, wie wenig sich ändert.</translation>
     </message>
     <message>
-        <source>A body from a file: a tube that goes through its own hole three times.</source>
-        <translation>Ein Körper aus einer Datei: ein Rohr, das dreimal durch sein eigenes Loch geht.</translation>
+        <source>A tube that goes through its own hole three times.</source>
+        <translation>Ein Rohr, das dreimal durch sein eigenes Loch geht.</translation>
     </message>
     <message>
-        <source>Follow the tube round and round. Press hard: you stay on the side you came from.</source>
-        <translation>Folgen Sie dem Rohr rundherum und rundherum. Drücken Sie fest: Sie bleiben auf der Seite, von der Sie kamen.</translation>
+        <source>Follow the tube round and round. However hard you press, you stay on the side you came from.</source>
+        <translation>Folgen Sie dem Rohr immer weiter. Wie fest Sie auch drücken, Sie bleiben auf der Seite, von der Sie kamen.</translation>
     </message>
     <message>
         <source>$f = k_p (q - p)$, where $q$ stays on the surface and follows the tip; it sticks while $|f_t| \le \mu_s |f_n|$</source>
@@ -7730,12 +7730,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Kugel mit Höckern</translation>
     </message>
     <message>
-        <source>A ball with bumps 1.5 mm high, smooth to the touch between them. Stroke it: the force turns with the surface and has no edges, though the ball is made of flat triangles.</source>
-        <translation>Eine Kugel mit 1,5 mm hohen Höckern, dazwischen fühlt sie sich glatt an. Streichen Sie darüber: Die Kraft dreht sich mit der Oberfläche und hat keine Kanten, obwohl die Kugel aus ebenen Dreiecken besteht.</translation>
+        <source>A ball of flat triangles with bumps 1.5 mm high. Its faces are smoothed, so that the force turns with the surface and has no edges.</source>
+        <translation>Eine Kugel aus ebenen Dreiecken mit 1,5 mm hohen Buckeln. Die Flächen sind geglättet, sodass die Kraft sich mit der Oberfläche dreht und keine Kanten hat.</translation>
     </message>
     <message>
-        <source>Bumps 1.5 mm high on a ball of flat triangles that feels round.</source>
-        <translation>1,5 mm hohe Höcker auf einer Kugel aus ebenen Dreiecken, die sich rund anfühlt.</translation>
+        <source>Bumps on a ball that feels round, although it is made of flat triangles.</source>
+        <translation>Buckel auf einer Kugel, die sich rund anfühlt, obwohl sie aus ebenen Dreiecken besteht.</translation>
     </message>
     <message>
         <source>Stroke the ball slowly and count the bumps across the width of a finger.</source>
@@ -7750,16 +7750,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Winkel mit Löchern</translation>
     </message>
     <message>
-        <source>A part with sharp edges, two screw holes and a rib. Find the holes by touch, slide into the corner of the L, and along an edge until you fall off. Static friction is greater than dynamic friction: press and pull slowly, and the target sticks and slips.</source>
-        <translation>Ein Teil mit scharfen Kanten, zwei Schraubenlöchern und einer Rippe. Ertasten Sie die Löcher, gleiten Sie in die Ecke des L und eine Kante entlang, bis Sie herunterfallen. Die Haftreibung ist größer als die Gleitreibung: Drücken und ziehen Sie langsam, und das Ziel haftet und rutscht im Wechsel.</translation>
+        <source>A part with two screw holes and a rib. Static friction is greater than dynamic friction.</source>
+        <translation>Ein Teil mit zwei Schraubenlöchern und einer Rippe. Die Haftreibung ist größer als die Gleitreibung.</translation>
     </message>
     <message>
-        <source>A part with sharp edges, two holes and a rib, and friction that sticks and slips.</source>
-        <translation>Ein Teil mit scharfen Kanten, zwei Löchern und einer Rippe, und Reibung, die haftet und rutscht.</translation>
+        <source>Sharp edges, two holes, a rib, and friction that sticks and slips.</source>
+        <translation>Scharfe Kanten, zwei Löcher, eine Rippe und Reibung, die haftet und gleitet.</translation>
     </message>
     <message>
-        <source>Find the holes by touch. Then press and pull slowly: the target sticks and slips.</source>
-        <translation>Ertasten Sie die Löcher. Drücken und ziehen Sie dann langsam: Das Ziel haftet und rutscht im Wechsel.</translation>
+        <source>Find the holes by touch, and slide along an edge until you slip off it. Then press and pull slowly: the target sticks and slips.</source>
+        <translation>Ertasten Sie die Löcher, und gleiten Sie an einer Kante entlang, bis Sie abrutschen. Drücken Sie dann und ziehen Sie langsam: Das Ziel haftet und gleitet.</translation>
     </message>
     <message>
         <source>it sticks while $|f_t| \le \mu_s |f_n|$, then slides with $|f_t| = \mu_d |f_n|$; $\mu_s = 0.5$, $\mu_d = 0.3$</source>
@@ -7770,16 +7770,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Am Kleeblatt geführt</translation>
     </message>
     <message>
-        <source>A closed curve through the points of a file. A guide moves along it at 40 mm/s and waits for you 8 mm ahead: let it lead your hand. Set t to 1 in the Feel panel, and you are held to the curve but no longer led.</source>
-        <translation>Eine geschlossene Kurve durch die Punkte einer Datei. Eine Führung läuft mit 40 mm/s auf ihr und wartet 8 mm vor Ihnen: Lassen Sie Ihre Hand führen. Stellen Sie im Bereich Fühlen t auf 1, so werden Sie auf der Kurve gehalten, aber nicht mehr geführt.</translation>
+        <source>A closed curve through the points of a file. A guide moves along it at 40 mm/s and waits for you 8 mm ahead.</source>
+        <translation>Eine geschlossene Kurve durch die Punkte einer Datei. Eine Führung bewegt sich mit 40 mm/s auf ihr und wartet 8 mm vor Ihnen.</translation>
     </message>
     <message>
         <source>A guide that leads your hand along a closed curve and waits for you.</source>
         <translation>Eine Führung, die Ihre Hand eine geschlossene Kurve entlangführt und auf Sie wartet.</translation>
     </message>
     <message>
-        <source>Let yourself be led. Hold your hand still: the guide stops 8 mm ahead. Then set t to 1 in the Feel panel.</source>
-        <translation>Lassen Sie sich führen. Halten Sie die Hand still: Die Führung hält 8 mm vor Ihnen an. Stellen Sie dann im Bereich Fühlen t auf 1.</translation>
+        <source>Let yourself be led. Hold your hand still: the guide stops 8 mm ahead. Then set t to 1 in the Feel panel: you are held to the curve, but no longer led.</source>
+        <translation>Lassen Sie sich führen. Halten Sie die Hand still: Die Führung hält 8 mm vor Ihnen an. Stellen Sie dann im Bereich Fühlen t auf 1: Sie werden auf der Kurve gehalten, aber nicht mehr geführt.</translation>
     </message>
     <message>
         <source>$q = C(s)$; $\frac{ds}{dt} = 40$ mm/s as long as $s$ is less than 8 mm ahead of you</source>
@@ -7790,8 +7790,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Eine Unterschrift zum Folgen</translation>
     </message>
     <message>
-        <source>An open stroke with a little friction. The search is local: where the stroke crosses itself, you stay on your branch and do not switch to the other one.</source>
-        <translation>Ein offener Strich mit ein wenig Reibung. Gesucht wird nur in der Nähe: Wo der Strich sich selbst kreuzt, bleiben Sie auf Ihrem Zweig und wechseln nicht auf den anderen.</translation>
+        <source>An open curve through the points of a file. The search is local, so that you do not switch branches where the stroke crosses itself.</source>
+        <translation>Eine offene Kurve durch die Punkte einer Datei. Die Suche ist örtlich, sodass Sie dort, wo der Zug sich kreuzt, nicht den Ast wechseln.</translation>
     </message>
     <message>
         <source>A stroke to follow, with a little friction.</source>
@@ -7810,11 +7810,11 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>UR5e über einem Tisch</translation>
     </message>
     <message>
-        <source>Six joints, all driven, without a spherical wrist: a collaborative robot held by hand. Its tool is pushed off a table. Its links weigh 17.7 kg, and the hand moves them as slowly as that. Simulated only.</source>
-        <translation>Sechs Gelenke, alle angetrieben, ohne sphärisches Handgelenk: ein kollaborativer Roboter, von Hand gehalten. Ein Tisch stößt sein Werkzeug ab. Seine Glieder wiegen 17,7 kg, und so langsam bewegt sie die Hand. Nur simuliert.</translation>
+        <source>Six joints, all driven, without a spherical wrist: a collaborative robot moved by hand. Its links weigh 17.7 kg, and its tool is pushed off a table. Simulated only.</source>
+        <translation>Sechs Gelenke, alle angetrieben, ohne Kugelhandgelenk: ein kollaborativer Roboter, von Hand bewegt. Seine Glieder wiegen 17,7 kg, und sein Werkzeug wird von einem Tisch weggedrückt. Nur simuliert.</translation>
     </message>
     <message>
-        <source>Much inertia, little spring: the arm follows the hand late, and the table stops it.</source>
+        <source>Much inertia and little spring: the arm follows the hand late, and the table stops it.</source>
         <translation>Viel Trägheit, wenig Feder: Der Arm folgt der Hand spät, und der Tisch hält ihn auf.</translation>
     </message>
     <message>
@@ -7834,12 +7834,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der größere Bruder des UR5e, mit denselben Achsen und längeren Gliedern. Eine senkrechte Wand steht 19 mm vor seinem Werkzeug. Nur simuliert.</translation>
     </message>
     <message>
-        <source>A wall, and the inertia of twice the mass of a UR5e.</source>
-        <translation>Eine Wand, und die Trägheit der doppelten Masse eines UR5e.</translation>
+        <source>A wall, and the inertia of an arm twice as heavy as a UR5e.</source>
+        <translation>Eine Wand, und die Trägheit eines doppelt so schweren Arms wie ein UR5e.</translation>
     </message>
     <message>
-        <source>Push forward, away from the base, into the wall. Compare the motion of the arm with that of the UR5e for the same pull.</source>
-        <translation>Drücken Sie nach vorn, von der Basis weg, in die Wand. Vergleichen Sie die Bewegung des Arms mit der des UR5e bei gleichem Zug.</translation>
+        <source>Push forward, away from the base, into the wall. Compare how it moves with how the UR5e moves under the same pull.</source>
+        <translation>Drücken Sie nach vorn, von der Basis weg, gegen die Wand. Vergleichen Sie die Bewegung mit der des UR5e bei gleichem Zug.</translation>
     </message>
     <message>
         <source>$M(q)\,\ddot q = \tau + J_v^T f_h$, where $f_h$ is the force of the hand</source>
@@ -7854,8 +7854,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zwei parallele Gelenke, ein senkrechtes Schubgelenk und eine Drehung: vier Gelenke für die Montage von oben. Die Spitze bleibt in einem senkrechten Loch. Nur simuliert.</translation>
     </message>
     <message>
-        <source>Free along the hole, a wall all around it.</source>
-        <translation>Frei entlang des Lochs, ringsum eine Wand.</translation>
+        <source>Free along the hole, with a wall all around.</source>
+        <translation>Frei entlang dem Loch, ringsum eine Wand.</translation>
     </message>
     <message>
         <source>Move up and down: only the slide moves, along $z$. Then push sideways against the wall of the hole: only joints 1 and 2 feel it.</source>
@@ -7870,12 +7870,12 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Drei Glieder in einer Ebene</translation>
     </message>
     <message>
-        <source>Three parallel joints: the arm of the textbooks, which one can draw on paper. The tip is held to a circle in the plane of the arm. Simulated only.</source>
-        <translation>Drei parallele Gelenke: der Arm der Lehrbücher, den man auf Papier zeichnen kann. Die Spitze wird an einem Kreis in der Ebene des Arms gehalten. Nur simuliert.</translation>
+        <source>Three parallel joints: the arm of the textbooks, easily drawn on paper. The tip is held to a circle in the plane of the arm. Simulated only.</source>
+        <translation>Drei parallele Gelenke: der Arm der Lehrbücher, leicht aufs Papier gezeichnet. Die Spitze wird auf einem Kreis in der Ebene des Arms gehalten. Nur simuliert.</translation>
     </message>
     <message>
-        <source>A groove around a circle, and nothing out of the plane: no joint moves the tip there, so no motor pushes there.</source>
-        <translation>Eine Rille um einen Kreis, und nichts aus der Ebene heraus: Dorthin bewegt kein Gelenk die Spitze, also drückt dort auch kein Motor.</translation>
+        <source>A groove around a circle, and no force out of the plane: no joint moves the tip there, so no motor pushes there.</source>
+        <translation>Eine Rille im Kreis, und keine Kraft aus der Ebene heraus: Kein Gelenk bewegt die Spitze dorthin, also drückt auch kein Motor.</translation>
     </message>
     <message>
         <source>Pull the tip along the circle, then try to pull it out of the plane. With three joints for two coordinates, many postures have the same tip.</source>
@@ -7914,11 +7914,11 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der Roboter der Lehrbücher, mit versetzter Schulter und sphärischem Handgelenk. Sein Handwurzelpunkt wird an einer Linie gehalten. Nur simuliert.</translation>
     </message>
     <message>
-        <source>Free along the line, a spring across it.</source>
-        <translation>Frei entlang der Linie, quer dazu eine Feder.</translation>
+        <source>You slide freely along the line; a spring pulls you back across it.</source>
+        <translation>Sie gleiten frei an der Geraden entlang; quer dazu zieht eine Feder Sie zurück.</translation>
     </message>
     <message>
-        <source>Pull along the line, then across. Joints 4 to 6 have no part in it: their axes meet in the wrist centre, which is the tip here.</source>
+        <source>Pull along the line, then across it. Joints 4 to 6 have no part in it: their axes meet in the wrist centre, which is the tip here.</source>
         <translation>Ziehen Sie entlang der Linie, dann quer. Gelenk 4 bis 6 sind nicht beteiligt: Ihre Achsen schneiden sich im Handwurzelpunkt, der hier die Spitze ist.</translation>
     </message>
     <message>
@@ -7934,8 +7934,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein kleiner Industrieroboter mit einem sphärischen Handgelenk 72 mm hinter seinem Flansch. Der Flansch wird an einem senkrechten Kreis gehalten. Nur simuliert.</translation>
     </message>
     <message>
-        <source>A groove around a circle.</source>
-        <translation>Eine Rille um einen Kreis.</translation>
+        <source>A groove around a vertical circle.</source>
+        <translation>Eine Rille in einem senkrechten Kreis.</translation>
     </message>
     <message>
         <source>Pull the flange around the circle. The wrist turns as well: it is not held, since the tip is 72 mm in front of it.</source>
@@ -7954,8 +7954,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein großer Industrieroboter mit 1,4 m Reichweite. Sein Flansch bleibt in einem Würfel von 160 mm. Nur simuliert.</translation>
     </message>
     <message>
-        <source>Free space with walls: nothing inside, a spring at each face.</source>
-        <translation>Freier Raum mit Wänden: innen nichts, an jeder Fläche eine Feder.</translation>
+        <source>Free inside the box; each face pushes back like a spring.</source>
+        <translation>Frei im Kasten; jede Fläche drückt zurück wie eine Feder.</translation>
     </message>
     <message>
         <source>Push against two faces at once, into an edge, then into a corner.</source>
@@ -7970,16 +7970,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Panda an einer Wand</translation>
     </message>
     <message>
-        <source>Seven joints for six numbers. The flange is pushed back by a wall 20 mm in front of it, as of a cupboard that one wipes. Simulated only.</source>
-        <translation>Sieben Gelenke für sechs Zahlen. Eine Wand 20 mm vor dem Flansch drückt ihn zurück, wie ein Schrank, den man abwischt. Nur simuliert.</translation>
+        <source>Seven joints for six numbers. A wall stands 20 mm in front of the flange, like a cupboard to be wiped. Simulated only.</source>
+        <translation>Sieben Gelenke für sechs Zahlen. 20 mm vor dem Flansch steht eine Wand, wie ein Schrank, den man abwischt. Nur simuliert.</translation>
     </message>
     <message>
-        <source>Nothing, then a wall that one can slide along. The arm follows with seven joints, of which one is to spare.</source>
-        <translation>Nichts, dann eine Wand, an der man entlanggleiten kann. Der Arm folgt mit sieben Gelenken, von denen eines übrig ist.</translation>
+        <source>Free, then a wall to slide along. The arm follows with seven joints, one more than it needs.</source>
+        <translation>Frei, dann eine Wand zum Entlanggleiten. Der Arm folgt mit sieben Gelenken, einem mehr, als er braucht.</translation>
     </message>
     <message>
-        <source>Slide up and down the wall, and watch the elbow. Open Kinematics: no closed form, so underact-cli ik searches, and finds a whole family.</source>
-        <translation>Gleiten Sie an der Wand auf und ab und beobachten Sie den Ellbogen. Öffnen Sie Kinematik: keine geschlossene Form, daher sucht underact-cli ik und findet eine ganze Schar.</translation>
+        <source>Slide up and down the wall, and watch the elbow. Open Kinematics: without a closed form, underact-cli ik searches, and finds a whole family of solutions.</source>
+        <translation>Gleiten Sie an der Wand auf und ab, und achten Sie auf den Ellbogen. Öffnen Sie Kinematik: Ohne geschlossene Form sucht underact-cli ik und findet eine ganze Schar von Lösungen.</translation>
     </message>
     <message>
         <source>$\tau = J_v^T f$: seven torques for three numbers of force</source>
@@ -7990,16 +7990,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Ein iiwa hält seine Pose</translation>
     </message>
     <message>
-        <source>The flange is held to a pose: its place by a force, its orientation by a moment, which this arm can render because all its joints are driven. The elbow stays free. Simulated only.</source>
+        <source>The flange is held to a pose: its position by a force, its orientation by a moment, which this arm can render because all its joints are driven. The elbow stays free. Simulated only.</source>
         <translation>Der Flansch wird in einer Pose gehalten: sein Ort durch eine Kraft, seine Orientierung durch ein Moment, das dieser Arm ausüben kann, weil alle seine Gelenke angetrieben sind. Der Ellbogen bleibt frei. Nur simuliert.</translation>
     </message>
     <message>
-        <source>A spring against each displacement, and one against each turn. The moment is limited to 500 N mm.</source>
-        <translation>Eine Feder gegen jede Verschiebung und eine gegen jede Drehung. Das Moment ist auf 500 N mm begrenzt.</translation>
+        <source>A spring against every displacement and every rotation. The moment is limited to 500 N mm.</source>
+        <translation>Eine Feder gegen jede Verschiebung und jede Drehung. Das Moment ist auf 500 N mm begrenzt.</translation>
     </message>
     <message>
-        <source>Turn the tool with Ctrl and the arrow keys: the moment turns it back. Move joint 3 with its slider in the panel Kinematics, with the servo stopped: the elbow goes round, the flange stays near its pose.</source>
-        <translation>Drehen Sie das Werkzeug mit Strg und den Pfeiltasten: Das Moment dreht es zurück. Bewegen Sie bei gestopptem Servo Gelenk 3 mit seinem Schieberegler im Bereich Kinematik: Der Ellbogen wandert, der Flansch bleibt nahe an seiner Pose.</translation>
+        <source>Turn the tool with Ctrl and the arrow keys: the moment turns it back. Stop the servo and move joint 3 with its slider in the panel Kinematics: the elbow goes round, and the flange stays near its pose.</source>
+        <translation>Drehen Sie das Werkzeug mit Strg und den Pfeiltasten: Das Moment dreht es zurück. Halten Sie den Servo an, und bewegen Sie Gelenk 3 mit seinem Regler im Bereich Kinematik: Der Ellbogen wandert herum, und der Flansch bleibt nahe seiner Pose.</translation>
     </message>
     <message>
         <source>$\tau = J_v^T f + J_\omega^T m$: seven torques for six numbers</source>
@@ -9031,8 +9031,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Es ist nichts gemessen.</translation>
     </message>
     <message>
-        <source>%1 combinations, %2 on the front; %3</source>
-        <translation>%1 Kombinationen, %2 auf der Front; %3</translation>
+        <source>%1 combinations, %2 best trade-offs; %3</source>
+        <translation>%1 Kombinationen, davon %2 bestmögliche; %3</translation>
     </message>
     <message>
         <source>chosen: %1 per second, error %2</source>
@@ -9047,8 +9047,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Bahnfehler der Spitze gegen Prozessorzeit</translation>
     </message>
     <message>
-        <source>Every combination of choices for this scene: the processor time per second of tick and simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over all hands. On the front are the combinations that no other one beats in both.</source>
-        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Prozessorzeit je Sekunde für Takt und simulierten Arm und die Abweichung der Spitze von ihrer Bahn bei 16 kHz, quadratisches Mittel über alle Hände. Auf der Front liegen die Kombinationen, die keine andere in beidem übertrifft.</translation>
+        <source>Every combination of choices for this scene: the processor time per second of tick and simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over all hands. A best trade-off is one that no other combination beats in both (Pareto front).</source>
+        <translation>Jede Kombination der Wahlmöglichkeiten für diese Szene: die Rechenzeit je Sekunde von Takt und simuliertem Arm und die Abweichung der Spitze von ihrem Weg bei 16 kHz, quadratisches Mittel über alle Hände. Bestmöglich ist, was keine andere Kombination in beidem übertrifft (Pareto-Front).</translation>
     </message>
     <message>
         <source>error of the tip's path</source>
@@ -9059,8 +9059,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Prozessorzeit je Sekunde</translation>
     </message>
     <message>
-        <source>○ combination  ● on the front  ■ as it was  ◎ chosen</source>
-        <translation>○ Kombination  ● auf der Front  ■ wie vorher  ◎ gewählt</translation>
+        <source>○ combination  ● best trade-off  ■ as measured  ◎ chosen</source>
+        <translation>○ Kombination  ● bestmöglich  ■ wie gemessen  ◎ gewählt</translation>
     </message>
     <message>
         <source>Language</source>
@@ -9119,8 +9119,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>✓ Gelöst: %1</translation>
     </message>
     <message>
-        <source>○ To do: %1</source>
-        <translation>○ Zu tun: %1</translation>
+        <source>○ Not yet: %1</source>
+        <translation>○ Noch nicht: %1</translation>
     </message>
     <message>
         <source>Name</source>
@@ -9299,7 +9299,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>„%1“ ist beschädigt. Der lesbare Teil wird wiedergegeben.</translation>
     </message>
     <message>
-        <source>A scene of “%1” cannot be run. The previous scene stays in effect.</source>
+        <source>A scene of “%1” cannot be run. Your previous scene stays open.</source>
         <translation>Eine Szene von „%1“ kann nicht ausgeführt werden. Die vorige Szene gilt weiter.</translation>
     </message>
     <message>
@@ -9327,7 +9327,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>%1 kann nicht geschrieben werden: %2.</translation>
     </message>
     <message>
-        <source>ffmpeg has ended before the film did.</source>
+        <source>ffmpeg ended before the film was complete.</source>
         <translation>ffmpeg hat vor dem Film geendet.</translation>
     </message>
     <message>
@@ -9336,7 +9336,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>&amp;Keep holding</source>
-        <translation>&amp;Weiter festhalten</translation>
+        <translation>Fest&amp;halten</translation>
     </message>
     <message>
         <source>The simulated hand keeps holding the stylus when you release the mouse; otherwise it lets go.</source>
@@ -9364,7 +9364,7 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     </message>
     <message>
         <source>Fit</source>
-        <translation>Alles</translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>F&amp;ront</source>
@@ -9603,8 +9603,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Szene gespeichert als %1.</translation>
     </message>
     <message>
-        <source>Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came.</source>
-        <translation>Eingestellt wie zuletzt. Rückgängig (Strg+Z) stellt die Szene wieder her, wie sie kam.</translation>
+        <source>Opened with your last settings. Undo (Ctrl+Z) restores the original.</source>
+        <translation>Mit Ihren letzten Einstellungen geöffnet. Rückgängig (Strg+Z) stellt das Original wieder her.</translation>
     </message>
     <message>
         <source>&amp;Open file…</source>
@@ -9724,8 +9724,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Zur Szene &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>&amp;New scene from it</source>
-        <translation>&amp;Neue Szene daraus</translation>
+        <source>&amp;Open as a new scene</source>
+        <translation>Als neue Szene ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -10637,16 +10637,16 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Felt: %1</source>
-        <translation>Gefühlt: %1</translation>
+        <source>You feel: %1</source>
+        <translation>Sie fühlen: %1</translation>
     </message>
     <message>
-        <source>Not felt: %1</source>
-        <translation>Nicht gefühlt: %1</translation>
+        <source>For comparison: %1</source>
+        <translation>Zum Vergleich: %1</translation>
     </message>
     <message>
-        <source>The two scenes are the same. Change the felt one: gains, shape, method.</source>
-        <translation>Die beiden Szenen sind gleich. Ändern Sie die gefühlte: Verstärkungen, Form, Verfahren.</translation>
+        <source>The two scenes are the same. Change gains, shape or method of the one you feel.</source>
+        <translation>Beide Szenen sind gleich. Ändern Sie an der gefühlten Verstärkungen, Form oder Verfahren.</translation>
     </message>
     <message>
         <source>%1
@@ -11793,7 +11793,7 @@ und %2 weitere</translation>
         <translation>Film …</translation>
     </message>
     <message>
-        <source>Saves a film of the scene in a scripted hand, or of the open session.</source>
+        <source>Saves a film of the scene, moved by a scripted hand, or of the open session.</source>
         <translation>Speichert einen Film der Szene in einer vorgegebenen Hand oder der offenen Sitzung.</translation>
     </message>
     <message>
@@ -12068,8 +12068,8 @@ und %2 weitere</translation>
         <translation> mm</translation>
     </message>
     <message>
-        <source>Begin with me</source>
-        <translation>Mit mir beginnen</translation>
+        <source>Wait at the start</source>
+        <translation>Anfangs warten</translation>
     </message>
     <message>
         <source>The ghost waits at its beginning until you are there.</source>
@@ -12956,7 +12956,7 @@ und %2 weitere</translation>
         <translation>Der Servo läuft. Drücken Sie Stopp (Esc), um den Arm mit den Schiebereglern zu bewegen.</translation>
     </message>
     <message>
-        <source>The encoder of joint %1 steps by %2°: that is as near as it comes.</source>
+        <source>The encoder of joint %1 has steps of %2°: this is the nearest one.</source>
         <translation>Der Encoder von Gelenk %1 hat Schritte von %2°: Näher kommt es nicht.</translation>
     </message>
     <message>
@@ -13007,8 +13007,8 @@ und %2 weitere</translation>
         <translation>Die Szene wurde während der Messung geändert, daher gelten die Ergebnisse nicht für sie. Messen Sie erneut.</translation>
     </message>
     <message>
-        <source>The finest run of this scene, or every other one, ended in a fault, so there is no front. What could be measured is shown below. Lower gains may help.</source>
-        <translation>Der feinste Lauf dieser Szene oder jeder andere endete mit einer Störung, daher gibt es keine Front. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
+        <source>The finest run of this scene, or every other one, ended in a fault, so nothing can be compared. What could be measured is shown below. Lower gains may help.</source>
+        <translation>Der feinste Lauf dieser Szene oder jeder andere endete mit einem Fehler, deshalb ist nichts zu vergleichen. Was gemessen werden konnte, steht unten. Kleinere Verstärkungen können helfen.</translation>
     </message>
     <message>
         <source> The rate stays at %1 Hz. </source>
@@ -13055,12 +13055,12 @@ und %2 weitere</translation>
         <translation>%1: %2 → %3</translation>
     </message>
     <message>
-        <source>Nothing differs from the scene as it was measured.</source>
+        <source>Nothing differs from the scene that was measured.</source>
         <translation>Nichts weicht von der gemessenen Szene ab.</translation>
     </message>
     <message>
-        <source>Measured: %1 combinations, %2 of them on the front.</source>
-        <translation>Gemessen: %1 Kombinationen, davon %2 auf der Front.</translation>
+        <source>Measured %1 combinations; %2 are best trade-offs.</source>
+        <translation>%1 Kombinationen gemessen; %2 sind bestmöglich.</translation>
     </message>
     <message>
         <source>Open a scene to measure it.</source>
@@ -13587,7 +13587,7 @@ und %2 weitere</translation>
         <translation>Pro&amp;gramme steuern lassen</translation>
     </message>
     <message>
-        <source>Lets other programs of this computer listen to the scene and steer it. They need a token.</source>
+        <source>Lets other programs on this computer read and steer the scene. They need a token.</source>
         <translation>Lässt andere Programme dieses Computers die Szene beobachten und steuern. Sie brauchen ein Token.</translation>
     </message>
     <message>
@@ -13595,16 +13595,16 @@ und %2 weitere</translation>
         <translation>Programme können die Szene jetzt steuern, unter %1.</translation>
     </message>
     <message>
-        <source>Ta&amp;ke steering back</source>
-        <translation>S&amp;teuerung zurücknehmen</translation>
+        <source>&amp;Block programs</source>
+        <translation>Programme sperre&amp;n</translation>
     </message>
     <message>
-        <source>Ends what a program does to the scene, and lets none steer until this is turned off.</source>
-        <translation>Beendet, was ein Programm mit der Szene macht, und lässt keines steuern, bis dies ausgeschaltet wird.</translation>
+        <source>Ends what programs do to the scene. None can steer it until you turn this off.</source>
+        <translation>Beendet, was Programme mit der Szene tun. Keines kann sie steuern, bis Sie dies ausschalten.</translation>
     </message>
     <message>
-        <source>Stopped. No program steers until “Take steering back” is turned off.</source>
-        <translation>Gestoppt. Kein Programm steuert, bis „Steuerung zurücknehmen“ ausgeschaltet wird.</translation>
+        <source>Stopped. Programs cannot steer until “Block programs” is turned off.</source>
+        <translation>Angehalten. Programme können erst wieder steuern, wenn „Programme sperren“ ausgeschaltet ist.</translation>
     </message>
     <message>
         <source>Live service</source>
@@ -13623,7 +13623,7 @@ und %2 weitere</translation>
         <translation>&amp;Adresse kopieren, %1</translation>
     </message>
     <message>
-        <source>Copy the path of the &amp;token's file</source>
+        <source>Copy the path of the &amp;token file</source>
         <translation>Pfad der &amp;Token-Datei kopieren</translation>
     </message>
     <message>
@@ -13851,8 +13851,8 @@ und %2 weitere</translation>
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>Measures cost and error of every choice, and the front of all combinations for this scene.</source>
-        <translation>Misst Kosten und Fehler jeder Wahl und die Front aller Kombinationen für diese Szene.</translation>
+        <source>Measures cost and error of every choice for this scene, and finds the best trade-offs.</source>
+        <translation>Misst Aufwand und Fehler jeder Wahl für diese Szene und findet die bestmöglichen Kombinationen.</translation>
     </message>
     <message>
         <source>Measure speed and accuracy of this scene</source>
@@ -14137,16 +14137,16 @@ und %2 weitere</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Nothing has this name. Try another word, or fewer letters.</source>
-        <translation>Nichts heißt so. Versuchen Sie ein anderes Wort oder weniger Buchstaben.</translation>
+        <source>Nothing found. Try another word, or fewer letters.</source>
+        <translation>Nichts gefunden. Versuchen Sie ein anderes Wort oder weniger Buchstaben.</translation>
     </message>
     <message>
-        <source>Type more letters to find fewer.</source>
-        <translation>Mehr Buchstaben finden weniger.</translation>
+        <source>Type more letters to narrow the list.</source>
+        <translation>Tippen Sie weiter, um die Liste zu verkürzen.</translation>
     </message>
     <message>
-        <source>Enter does what is selected.</source>
-        <translation>Die Eingabetaste führt das Gewählte aus.</translation>
+        <source>Press Enter to choose.</source>
+        <translation>Die Eingabetaste wählt aus.</translation>
     </message>
     <message>
         <source>“%1” is not possible now.</source>
@@ -14167,16 +14167,16 @@ und %2 weitere</translation>
         <translation>Ener&amp;gie</translation>
     </message>
     <message>
-        <source>Stand still</source>
-        <translation>Anhalten</translation>
+        <source>Freeze</source>
+        <translation>Einfrieren</translation>
     </message>
     <message>
-        <source>Plots stand still</source>
-        <translation>Diagramme stehen still</translation>
+        <source>Freeze the plots</source>
+        <translation>Diagramme einfrieren</translation>
     </message>
     <message>
-        <source>Stops the plots where they are, to be read and enlarged; the servo goes on.</source>
-        <translation>Hält die Diagramme an, wo sie sind, um sie zu lesen und zu vergrößern; der Servo läuft weiter.</translation>
+        <source>Freezes the plots so that you can read and enlarge them. The servo keeps running.</source>
+        <translation>Friert die Diagramme ein, damit Sie sie lesen und vergrößern können. Der Servo läuft weiter.</translation>
     </message>
     <message>
         <source>Error and force over the last 10 s, and force against displacement</source>
@@ -14324,8 +14324,8 @@ und %2 weitere</translation>
         <translation>%1 Probleme</translation>
     </message>
     <message>
-        <source>%1 was not opened. The previous scene is still in effect. %2 to fix:</source>
-        <translation>%1 wurde nicht geöffnet. Die vorige Szene gilt weiter. Zu beheben – %2:</translation>
+        <source>%1 was not opened; your previous scene stays open. %2 to fix:</source>
+        <translation>%1 wurde nicht geöffnet; Ihre bisherige Szene bleibt offen. %2:</translation>
     </message>
 </context>
 <context>
@@ -15873,7 +15873,7 @@ und %2 weitere</translation>
         <translation>Lauf w&amp;iederholen</translation>
     </message>
     <message>
-        <source>Makes the run of the selected session again from its file, and compares every tick to the last bit.</source>
+        <source>Repeats the run of the selected session from its file, and compares every tick to the last bit.</source>
         <translation>Wiederholt den Lauf der gewählten Sitzung aus ihrer Datei und vergleicht jeden Takt bis auf das letzte Bit.</translation>
     </message>
     <message>
@@ -16136,7 +16136,7 @@ und %2 weitere</translation>
         <translation>Alle Sätze von Gelenkwerten, die die jetzige Lage des Stifts ergeben; für einen Arm ohne geschlossene Form die, die eine Suche findet. Für einen haptischen Arm: Thesis, Gl. 3.11 bis 3.20 und Abbildung 3.4, mit ihren Errata.</translation>
     </message>
     <message>
-        <source>Show the &amp;way</source>
+        <source>Show the &amp;path</source>
         <translation>&amp;Weg zeigen</translation>
     </message>
     <message>
@@ -16897,8 +16897,8 @@ und %2 weitere</translation>
         <translation>&amp;Rundgang durchs Fenster</translation>
     </message>
     <message>
-        <source>Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.</source>
-        <translation>Zeigt in acht Stationen, was wo im Fenster ist; Esc beendet den Rundgang an jeder Station.</translation>
+        <source>A tour of the window in eight stops. Esc leaves it at any time.</source>
+        <translation>Ein Rundgang durchs Fenster mit acht Stationen. Esc beendet ihn jederzeit.</translation>
     </message>
     <message>
         <source>What it is for</source>
@@ -17180,8 +17180,8 @@ und %2 weitere</translation>
         <translation>Von Tempo zu Genauigkeit</translation>
     </message>
     <message>
-        <source>Moves along the front, from the fastest combination to the most accurate. The mark shows how the scene was; a double click goes back to it.</source>
-        <translation>Geht entlang der Front, von der schnellsten Kombination zur genauesten. Die Marke zeigt, wie die Szene war; ein Doppelklick geht dorthin zurück.</translation>
+        <source>Moves along the best trade-offs, from the fastest to the most accurate. The mark shows the scene as measured; a double click returns to it.</source>
+        <translation>Geht die bestmöglichen Kombinationen durch, von der schnellsten zur genauesten. Die Marke zeigt die gemessene Szene; ein Doppelklick kehrt zu ihr zurück.</translation>
     </message>
     <message>
         <source>S&amp;peed</source>
@@ -17200,16 +17200,16 @@ und %2 weitere</translation>
         <translation>Unterschiede zur vorigen Szene</translation>
     </message>
     <message>
-        <source>As it &amp;was</source>
-        <translation>Wie &amp;vorher</translation>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Restores scene and servo rate as they were when they were measured.</source>
-        <translation>Stellt Szene und Servo-Taktrate so wieder her, wie sie bei der Messung waren.</translation>
+        <source>Restores the scene and the servo rate that were measured.</source>
+        <translation>Stellt die Szene und die Taktrate der Messung wieder her.</translation>
     </message>
     <message>
-        <source>As it was when it was measured</source>
-        <translation>Wie es bei der Messung war</translation>
+        <source>Restore what was measured</source>
+        <translation>Gemessenen Stand wiederherstellen</translation>
     </message>
     <message>
         <source>There is nothing to choose from yet.</source>
@@ -17255,16 +17255,16 @@ und %2 weitere</translation>
         <translation>Rundgang durchs Fenster</translation>
     </message>
     <message>
-        <source>Shows what is where in the window, in eight stops.</source>
-        <translation>Zeigt in acht Stationen, was wo im Fenster ist.</translation>
+        <source>A tour of the window in eight stops.</source>
+        <translation>Ein Rundgang durchs Fenster mit acht Stationen.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Closes this card; the Help menu brings it back.</source>
-        <translation>Schließt diese Karte; das Menü „Hilfe“ bringt sie zurück.</translation>
+        <source>Closes this card. You find it again in the Help menu.</source>
+        <translation>Schließt diese Karte. Sie finden sie im Menü Hilfe wieder.</translation>
     </message>
     <message>
         <source>Move a slider, here the stiffness. To feel it, turn on Keep holding (F6) and push a little first.</source>
@@ -17287,8 +17287,8 @@ und %2 weitere</translation>
         <translation>Drei Dinge: %1 von 3 getan</translation>
     </message>
     <message>
-        <source>The Help menu brings this card back.</source>
-        <translation>Das Menü „Hilfe“ bringt diese Karte zurück.</translation>
+        <source>You find this card again in the Help menu.</source>
+        <translation>Sie finden diese Karte im Menü Hilfe wieder.</translation>
     </message>
     <message>
         <source>The arm pushes back.</source>

@@ -214,7 +214,7 @@ class Page(unittest.TestCase):
                 self.assertIn(name, names)
             page.browser.run("document.querySelector('#sliders input').focus()")
             page.press("ArrowRight")
-            self.assertTrue(page.comes(lambda: page.text("holder") == "This page steers."))
+            self.assertTrue(page.comes(lambda: page.text("holder") == "This page is in control."))
             [path] = page.asked("set")[-1]["values"]
             self.assertEqual(path, "/control/kp_N_per_mm")
             self.assertRegex(
@@ -236,10 +236,10 @@ class Page(unittest.TestCase):
         with self.page() as one, self.page() as other:
             self.runs(one, service)
             one.of("lease", "click()")
-            self.assertTrue(one.comes(lambda: one.text("holder") == "This page steers."))
+            self.assertTrue(one.comes(lambda: one.text("holder") == "This page is in control."))
             self.runs(other, service)
             self.assertTrue(
-                other.comes(lambda: "steers. You can watch, and stop." in other.text("holder"))
+                other.comes(lambda: "is in control. You can watch, and stop." in other.text("holder"))
             )
             other.picture("another_steers")
             self.assertTrue(other.browser.run("document.querySelector('#sliders input').disabled"))
@@ -249,7 +249,7 @@ class Page(unittest.TestCase):
             other.of("stop", "click()")
             self.assertTrue(one.comes(lambda: one.text("mode") == "Stopped"))
             one.of("lease", "click()")
-            self.assertTrue(other.comes(lambda: other.text("holder").startswith("Nobody steers.")))
+            self.assertTrue(other.comes(lambda: other.text("holder").startswith("Nobody is in control.")))
             self.assertFalse(other.of("start", "disabled"))
 
     def test_says_why_it_has_no_connection(self) -> None:

@@ -73,11 +73,11 @@ TEST_F(LessonTry, SaysWhatIsSolvedAndWhatIsMissing) {
   const Outcome right = runCli({"lesson", "try", lesson.path(), "--hand", strong.path(), "--answer", "3"});
   EXPECT_EQ(right.exit, Exit::Success) << right.out;
   EXPECT_NE(right.out.find("solved   Held for 0.5 of 0.5 s."), std::string::npos) << right.out;
-  EXPECT_NE(right.out.find("solved   3 is right."), std::string::npos) << right.out;
+  EXPECT_NE(right.out.find("solved   3 is correct."), std::string::npos) << right.out;
   const Outcome wrong = runCli({"lesson", "try", lesson.path(), "--hand", weak.path(), "--answer", "4"});
   EXPECT_EQ(wrong.exit, Exit::BadInput);
   EXPECT_NE(wrong.out.find("missing  Held for 0.0 of 0.5 s."), std::string::npos) << wrong.out;
-  EXPECT_NE(wrong.out.find("missing  4 is not right."), std::string::npos) << wrong.out;
+  EXPECT_NE(wrong.out.find("missing  4 is not correct."), std::string::npos) << wrong.out;
 }
 
 TEST_F(LessonTry, GivesOneObjectForPrograms) {

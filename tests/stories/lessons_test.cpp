@@ -131,7 +131,7 @@ TEST(LessonsStory, AWrongHandIsToldWhatIsMissing) {
   leadHand(story, {3, 0, 0});
   EXPECT_FALSE(story.find("panel.lessons.servo")->isVisible());
   const QString missing = givenOf(story, 1);
-  EXPECT_TRUE(missing.startsWith("○ To do: Held for 0.0 of 1.0 s. The force is 0.1")) << missing.toStdString();
+  EXPECT_TRUE(missing.startsWith("○ Not yet: Held for 0.0 of 1.0 s. The force is 0.1")) << missing.toStdString();
   EXPECT_TRUE(missing.endsWith("it should be between 0.35 N and 0.45 N.")) << missing.toStdString();
   EXPECT_FALSE(stepTitle(story).contains("✓"));
   leadHand(story, {9.3, 0, 0});
@@ -163,7 +163,7 @@ TEST(LessonsStory, AReportSaysWhatWasDoneAndNamesNobodyUnasked) {
   story.run(100);
   EXPECT_FALSE(story.perform("lesson.answer", 2, 8));
   ASSERT_TRUE(story.perform("lesson.answer", 1, 7));
-  EXPECT_TRUE(givenOf(story, 1).contains("7 is not right")) << givenOf(story, 1).toStdString();
+  EXPECT_TRUE(givenOf(story, 1).contains("7 is not correct")) << givenOf(story, 1).toStdString();
   ASSERT_TRUE(story.perform("lesson.answer", 1, 8));
   const auto report = [&story] {
     const QString path = temporaryFile("report.html");

@@ -160,14 +160,15 @@ void CompareTool::takeLoaded() {
 
 void CompareTool::showScenes() {
   const scene::Description &felt = parts_.document.scene(), &other = beside_.scene();
-  views_->setHeads(tr("Felt: %1").arg(sceneText(felt.title)), tr("Not felt: %1").arg(sceneText(other.title)));
+  views_->setHeads(tr("You feel: %1").arg(sceneText(felt.title)), tr("For comparison: %1").arg(sceneText(other.title)));
   QStringList words;
   for (const scene::Difference& one : scene::differencesBetween(felt, other)) words << wordsOf(one);
   const QString shown = QStringList(words.mid(0, kMaxShown)).join("\n");
   const qsizetype more = words.size() - kMaxShown;
-  strip_->setDifference(words.isEmpty() ? tr("The two scenes are the same. Change the felt one: gains, shape, method.")
-                        : more > 0      ? tr("%1\nand %2 more").arg(shown).arg(more)
-                                        : shown,
+  strip_->setDifference(words.isEmpty()
+                            ? tr("The two scenes are the same. Change gains, shape or method of the one you feel.")
+                        : more > 0 ? tr("%1\nand %2 more").arg(shown).arg(more)
+                                   : shown,
                         words.join("\n"));
 }
 

@@ -44,7 +44,7 @@ void AddDialog::layFoot(bool can_add, const QString& add, const QString& fresh) 
   foot_->addStretch(1);
   if (!add.isEmpty()) {
     QPushButton* adds = footButton("add", tr("&Add to the scene"), add);
-    QPushButton* opens = footButton("new", tr("&New scene from it"), fresh);
+    QPushButton* opens = footButton("new", tr("&Open as a new scene"), fresh);
     adds->setEnabled(can_add);
     (can_add ? adds : opens)->setDefault(true);
     connect(adds, &QPushButton::clicked, this, &AddDialog::addAsked);

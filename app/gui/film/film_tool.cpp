@@ -19,9 +19,11 @@ FilmTool::FilmTool(const FeatureParts& parts)
       document_(parts.document),
       player_(parts.player),
       window_(parts.window) {
-  actions_.add(
-      {"view.film", tr("Film…"), {}, tr("Saves a film of the scene in a scripted hand, or of the open session.")},
-      [this](const QVariantList& out) { return out.isEmpty() ? ask() : begin(out.first().toString()); });
+  actions_.add({"view.film",
+                tr("Film…"),
+                {},
+                tr("Saves a film of the scene, moved by a scripted hand, or of the open session.")},
+               [this](const QVariantList& out) { return out.isEmpty() ? ask() : begin(out.first().toString()); });
   process_.setProcessChannelMode(QProcess::MergedChannels);
   connect(&process_, &QProcess::readyRead, this, &FilmTool::read);
   connect(&process_, &QProcess::finished, this, &FilmTool::end);

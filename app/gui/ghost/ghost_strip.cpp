@@ -131,7 +131,7 @@ void GhostStrip::buildChoices(QVBoxLayout* column) {
           [this](double beyond_mm) { actions_.perform("ghost.wait_beyond", beyond_mm); });
   row->addWidget(beyond_);
   row->addWidget(
-      near_ = box("ghost.near", tr("Begin with me"), tr("The ghost waits at its beginning until you are there.")));
+      near_ = box("ghost.near", tr("Wait at the start"), tr("The ghost waits at its beginning until you are there.")));
   row->addWidget(loop_ = box("ghost.loop", tr("Loop"),
                              tr("The ghost starts again at the end; each round is counted separately.")));
   row->addStretch(1);

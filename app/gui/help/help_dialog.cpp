@@ -31,8 +31,7 @@ QString handTable() {
              QObject::tr("move the hand 2 mm, with Shift 10 mm (press F2 first, or click the view); it holds the "
                          "stylus until you let go (Shift+F6)")) +
          row(QObject::tr("Page Up, Page Down"), QObject::tr("move the hand in depth")) +
-         row(QObject::tr("Ctrl and arrow keys"),
-             QObject::tr("turn the stylus; only turned, it goes where the scene sends it")) +
+         row(QObject::tr("Ctrl and arrow keys"), QObject::tr("turn the stylus; its position then follows the scene")) +
          row(QObject::tr("Game controller, 3D mouse"),
              QObject::tr(
                  "move and rotate the simulated hand; the panel Input devices shows and edits their mappings")) +

@@ -206,7 +206,7 @@ QString KinematicsPanel::whyNotAsTyped() const {
     const double step = 2.0 * kPi / preset_.counts_per_turn[joint];
     const bool slides = model_.rows[joint].type == chain::JointType::Prismatic;
     if (slides || !std::isfinite(step) || std::abs(q_rad_[joint] - setpoint_rad_[joint]) < kShown_rad) continue;
-    return tr("The encoder of joint %1 steps by %2°: that is as near as it comes.")
+    return tr("The encoder of joint %1 has steps of %2°: this is the nearest one.")
         .arg(joint + 1)
         .arg(numberText(step / kRadPerDegree, 2));
   }

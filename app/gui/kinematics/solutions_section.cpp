@@ -104,7 +104,7 @@ SolutionsSection::SolutionsSection(QWidget* parent)
       status_(quietLabel("panel.kinematics.solutions.status", QString(), this)),
       angles_(quietLabel("panel.kinematics.solutions.angles", QString(), this)),
       table_(new QTableWidget(kMaxSolutions, kSolutionColumns, this)),
-      again_(new QPushButton(tr("Show the &way"), this)),
+      again_(new QPushButton(tr("Show the &path"), this)),
       none_(new QPushButton(tr("Show none"), this)),
       move_(new QPushButton(tr("Move the &arm there"), this)),
       why_not_(quietLabel("panel.kinematics.solutions.why_not", QString(), this)) {

@@ -75,8 +75,8 @@ ProblemsDialog::ProblemsDialog(QWidget* parent)
 void ProblemsDialog::show(const QString& path, const Problems& problems) {
   problems_ = problems;
   const QString count = problems.size() == 1 ? tr("One problem") : tr("%1 problems").arg(problems.size());
-  heading_->setText(tr("%1 was not opened. The previous scene is still in effect. %2 to fix:")
-                        .arg(QFileInfo(path).fileName(), count));
+  heading_->setText(
+      tr("%1 was not opened; your previous scene stays open. %2 to fix:").arg(QFileInfo(path).fileName(), count));
   table_->setRowCount(static_cast<int>(problems.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const Problem& problem = problems[static_cast<std::size_t>(row)];

@@ -7,15 +7,17 @@
 namespace underact::gui {
 
 FeatureRow labFeature() {
-  return {.panels = {{"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea,
-                      QT_TRANSLATE_NOOP("panel",
-                                        "Measures what each choice between speed and accuracy costs, with a slider "
-                                        "along the best combinations."),
-                      [](const FeatureParts& all, QWidget* parent) -> Panel* {
-                        return new LabPanel({all.document, all.actions, all.rate, all.arm_in_use}, parent);
-                      },
-                      "scenes"}},
-          .pages = {{"panel.lab", "lab"}}};
+  return {
+      .panels =
+          {{"lab", QT_TRANSLATE_NOOP("panel", "Lab"), Qt::LeftDockWidgetArea,
+            QT_TRANSLATE_NOOP(
+                "panel",
+                "Measures what each choice between speed and accuracy costs, with a slider along the best trade-offs."),
+            [](const FeatureParts& all, QWidget* parent) -> Panel* {
+              return new LabPanel({all.document, all.actions, all.rate, all.arm_in_use}, parent);
+            },
+            "scenes"}},
+      .pages = {{"panel.lab", "lab"}}};
 }
 
 }  // namespace underact::gui

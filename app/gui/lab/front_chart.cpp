@@ -21,7 +21,7 @@ QPointF placeOf(const tradeoff::Point& point) {
 QString spokenOf(const std::vector<tradeoff::Point>& points, const std::optional<std::size_t>& chosen) {
   if (points.empty()) return tr("Nothing has been measured.");
   const auto on_front = std::count_if(points.begin(), points.end(), [](const auto& one) { return one.on_front; });
-  return tr("%1 combinations, %2 on the front; %3")
+  return tr("%1 combinations, %2 best trade-offs; %3")
       .arg(points.size())
       .arg(on_front)
       .arg(chosen ? tr("chosen: %1 per second, error %2")
@@ -35,7 +35,7 @@ MarkChart* frontChart(QWidget* parent) {
   return new MarkChart("panel.lab.chart", tr("Error of the tip's path against processor time"),
                        tr("Every combination of choices for this scene: the processor time per second of tick and "
                           "simulated arm, and the deviation of the tip from its path at 16 kHz, root mean square over "
-                          "all hands. On the front are the combinations that no other one beats in both."),
+                          "all hands. A best trade-off is one that no other combination beats in both (Pareto front)."),
                        {14, 14}, parent);
 }
 
@@ -45,7 +45,7 @@ MarkSheet frontSheet(const std::vector<tradeoff::Point>& points, const std::opti
   if (points.empty()) return sheet;
   sheet.y_title = tr("error of the tip's path");
   sheet.words = {{1, Qt::AlignRight, tr("processor time per second")}};
-  sheet.key = tr("○ combination  ● on the front  ■ as it was  ◎ chosen");
+  sheet.key = tr("○ combination  ● best trade-off  ■ as measured  ◎ chosen");
   sheet.word_lines = sheet.key_lines = 2;
   sheet.widest = "500 µm";
   sheet.marks_grow = true;

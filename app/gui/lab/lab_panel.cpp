@@ -140,8 +140,8 @@ void LabPanel::end(LabResult result) {
     front_.push_back(index);
   }
   if (front_.empty()) {
-    measuring_->tell(tr("The finest run of this scene, or every other one, ended in a fault, so there is no front. "
-                        "What could be measured is shown below. Lower gains may help."),
+    measuring_->tell(tr("The finest run of this scene, or every other one, ended in a fault, so nothing can be "
+                        "compared. What could be measured is shown below. Lower gains may help."),
                      true);
   } else {
     measuring_->tell(measuredText(), false);
@@ -282,11 +282,11 @@ QString LabPanel::differencesText() const {
   for (const tradeoff::Difference& one : tradeoff::differences(order_.scene, order_.own(), now())) {
     lines << tr("%1: %2 → %3").arg(QString::fromStdString(one.what), optionText(one.before), optionText(one.after));
   }
-  return lines.isEmpty() ? tr("Nothing differs from the scene as it was measured.") : lines.join('\n');
+  return lines.isEmpty() ? tr("Nothing differs from the scene that was measured.") : lines.join('\n');
 }
 
 QString LabPanel::measuredText() const {
-  return tr("Measured: %1 combinations, %2 of them on the front.").arg(result_.points.size()).arg(front_.size()) +
+  return tr("Measured %1 combinations; %2 are best trade-offs.").arg(result_.points.size()).arg(front_.size()) +
          armText();
 }
 

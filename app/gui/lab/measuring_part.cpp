@@ -37,10 +37,9 @@ MeasuringPart::MeasuringPart(QWidget* parent) : QWidget(parent) {
   seconds_->setRange(2, 4);
   seconds_->setSuffix(tr(" s each"));
   seconds_->setFocusPolicy(Qt::StrongFocus);
-  measure_ =
-      pushButton("panel.lab.measure", tr("&Measure"),
-                 tr("Measures cost and error of every choice, and the front of all combinations for this scene."), this,
-                 tr("Measure speed and accuracy of this scene"));
+  measure_ = pushButton("panel.lab.measure", tr("&Measure"),
+                        tr("Measures cost and error of every choice for this scene, and finds the best trade-offs."),
+                        this, tr("Measure speed and accuracy of this scene"));
   cancel_ = pushButton("panel.lab.cancel", tr("Cancel"), tr("Ends the measurement; nothing is kept."), this,
                        tr("Cancel the measurement"));
   progress_ = new QProgressBar(this);

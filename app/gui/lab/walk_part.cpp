@@ -31,8 +31,8 @@ WalkPart::WalkPart(QWidget* parent) : QWidget(parent) {
   walk_->setObjectName("panel.lab.walk");
   walk_->setAccessibleName(tr("From speed to accuracy"));
   walk_->setToolTip(
-      tr("Moves along the front, from the fastest combination to the most accurate. The mark shows how the scene was; "
-         "a double click goes back to it."));
+      tr("Moves along the best trade-offs, from the fastest to the most accurate. The mark shows the scene as "
+         "measured; a double click returns to it."));
   walk_->setPageStep(1);
   walk_->setTickInterval(1);
   auto* speed = new QLabel(tr("S&peed"), this);
@@ -44,9 +44,8 @@ WalkPart::WalkPart(QWidget* parent) : QWidget(parent) {
   column->addLayout(ends);
   chosen_ = messageLabel("panel.lab.chosen", tr("Chosen combination"), "quiet", this);
   differences_ = messageLabel("panel.lab.differences", tr("Differences from the scene as it was"), "", this);
-  back_ = pushButton("panel.lab.back", tr("As it &was"),
-                     tr("Restores scene and servo rate as they were when they were measured."), this,
-                     tr("As it was when it was measured"));
+  back_ = pushButton("panel.lab.back", tr("&Restore"), tr("Restores the scene and the servo rate that were measured."),
+                     this, tr("Restore what was measured"));
   column->addWidget(chosen_);
   column->addWidget(differences_);
   column->addWidget(back_, 0, Qt::AlignLeft);

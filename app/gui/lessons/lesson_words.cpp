@@ -36,7 +36,7 @@ QString stepText(const LessonRun& run, std::size_t step) {
 }  // namespace
 
 QString checkText(const lesson::Check& check, const lesson::CheckState& state) {
-  return (state.solved ? tr("✓ Solved: %1") : tr("○ To do: %1")).arg(sentenceText(describeCheck(check, state)));
+  return (state.solved ? tr("✓ Solved: %1") : tr("○ Not yet: %1")).arg(sentenceText(describeCheck(check, state)));
 }
 
 QString lessonReport(const LessonRun& run, const QString& name, const QDateTime& when) {

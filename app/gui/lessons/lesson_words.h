@@ -5,7 +5,7 @@
 
 namespace underact::gui {
 
-/// "Solved: ...", "To do: ...": a check as shown in the panel and the report, and read by a screen reader.
+/// "Solved: ...", "Not yet: ...": a check as shown in the panel and the report, and read by a screen reader.
 QString checkText(const lesson::Check& check, const lesson::CheckState& state);
 
 /// The results of a lesson as a self-contained HTML page. name: of the person, as typed; empty: none.

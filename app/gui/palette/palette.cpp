@@ -57,9 +57,9 @@ void Palette::show(const QString& typed) {
     if (!entry->is_possible) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
   }
   list_->setCurrentRow(0);
-  updateText(note_, shown_.empty() ? tr("Nothing has this name. Try another word, or fewer letters.")
-                    : is_cut       ? tr("Type more letters to find fewer.")
-                                   : tr("Enter does what is selected."));
+  updateText(note_, shown_.empty() ? tr("Nothing found. Try another word, or fewer letters.")
+                    : is_cut       ? tr("Type more letters to narrow the list.")
+                                   : tr("Press Enter to choose."));
 }
 
 void Palette::run() {

@@ -26,10 +26,10 @@ PlotsPanel::PlotsPanel(const Parts& parts, QWidget* parent)
       plot_(new LivePlot(this)),
       axis_(new QComboBox(this)),
       energy_(new QCheckBox(tr("Ener&gy"), this)),
-      hold_(new QCheckBox(tr("Stand still"), this)),
+      hold_(new QCheckBox(tr("Freeze"), this)),
       columns_(new ColumnButton("panel.plots.columns", this)) {
-  nameWidget(hold_, "panel.plots.hold", tr("Plots stand still"),
-             tr("Stops the plots where they are, to be read and enlarged; the servo goes on."));
+  nameWidget(hold_, "panel.plots.hold", tr("Freeze the plots"),
+             tr("Freezes the plots so that you can read and enlarge them. The servo keeps running."));
   nameWidget(plot_, "panel.plots.plot", tr("Error and force over the last 10 s, and force against displacement"));
   plot_->setMinimumHeight(96);
   nameWidget(

@@ -35,7 +35,7 @@ void connectReplayMessages(Player& player, StatusLine& status, Hand& hand, QWidg
   QObject::connect(&player, &Player::failed, window, [&player, window](const QString& path, const Problems& problems) {
     const QString file = QFileInfo(path).fileName();
     tellOfReplay(window,
-                 player.isOpen() ? tr("A scene of “%1” cannot be run. The previous scene stays in effect.").arg(file)
+                 player.isOpen() ? tr("A scene of “%1” cannot be run. Your previous scene stays open.").arg(file)
                                  : tr("“%1” was not opened. The scene and the arm are unchanged.").arg(file),
                  problems);
   });

@@ -90,7 +90,7 @@ void LiveService::addActions() {
   actions_.add({"service.on",
                 tr("Let pro&grams steer"),
                 {},
-                tr("Lets other programs of this computer listen to the scene and steer it. They need a token."),
+                tr("Lets other programs on this computer read and steer the scene. They need a token."),
                 {},
                 {},
                 true},
@@ -109,9 +109,9 @@ void LiveService::addActions() {
                });
   actions_
       .add({"service.take_back",
-            tr("Ta&ke steering back"),
+            tr("&Block programs"),
             {},
-            tr("Ends what a program does to the scene, and lets none steer until this is turned off."),
+            tr("Ends what programs do to the scene. None can steer it until you turn this off."),
             {},
             {},
             true},
@@ -127,7 +127,7 @@ void LiveService::addActions() {
 bool LiveService::hold() {
   if (!isOn() || service_->steeringClient().empty()) return false;
   actions_.perform("service.take_back", true);
-  actions_.perform("notice.tell", tr("Stopped. No program steers until “Take steering back” is turned off."));
+  actions_.perform("notice.tell", tr("Stopped. Programs cannot steer until “Block programs” is turned off."));
   return true;
 }
 
@@ -156,7 +156,7 @@ void LiveService::fillMenu() {
     });
   };
   copies(tr("Copy the &address, %1").arg(address()), address());
-  copies(tr("Copy the path of the &token's file"), tokenFile());
+  copies(tr("Copy the path of the &token file"), tokenFile());
   menu_->addSeparator();
   for (const std::string& name : service_->clientNames()) {
     const QString client = menuText(QString::fromStdString(name));

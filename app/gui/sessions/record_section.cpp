@@ -31,7 +31,8 @@ enum RecordRow { kTime, kSize, kTicks, kMarks, kDisk, kLasts };
 QString warningOf(const record::RecorderStatus& status, bool runs) {
   QStringList lines;
   if (status.files.size() > 1)
-    lines << QObject::tr("The recording has %1 files, because one session may not be longer. The last one is %2.")
+    lines << QObject::tr(
+                 "The recording was split into %1 files, because a session's length is limited. The last one is %2.")
                  .arg(status.files.size())
                  .arg(QFileInfo(QString::fromStdString(status.files.back())).fileName());
   if (status.dropped > 0)

@@ -63,7 +63,7 @@ void SessionTools::addActions() {
         return true;
       });
   add("sessions.rerun", tr("Run a&gain"),
-      tr("Makes the run of the selected session again from its file, and compares every tick to the last bit."),
+      tr("Repeats the run of the selected session from its file, and compares every tick to the last bit."),
       [this](const QVariantList&) {
         const bool begun = job_.beginRerun(list_.chosen()->path);
         presentChosen();

@@ -38,7 +38,7 @@ QString unwritable(const QString& out, const std::error_code& error) {
 QString failed(QProcess& process) {
   process.waitForFinished(1000);
   const QString last = QString::fromLocal8Bit(process.readAll()).trimmed().section('\n', -1);
-  return last.isEmpty() ? tr("ffmpeg has ended before the film did.") : tr("ffmpeg says: %1").arg(last);
+  return last.isEmpty() ? tr("ffmpeg ended before the film was complete.") : tr("ffmpeg says: %1").arg(last);
 }
 
 }  // namespace

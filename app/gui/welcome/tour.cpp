@@ -82,7 +82,7 @@ Tour::Tour(SceneView& view, Actions& actions, QMainWindow* window)
   actions_.add({"help.tour",
                 tr("&Tour of the window"),
                 {},
-                tr("Shows what is where in the window, in eight stops; Esc leaves the tour at any stop.")},
+                tr("A tour of the window in eight stops. Esc leaves it at any time.")},
                [this](const QVariantList&) {
                  begin();
                  return true;

@@ -125,9 +125,9 @@ void Welcome::build(Actions& actions) {
   }
   purposes->addStretch();
   column->addLayout(purposes);
-  auto* tour = pushButton("welcome.tour", tr("Tour of the window"),
-                          tr("Shows what is where in the window, in eight stops."), this);
-  auto* leave = pushButton("welcome.close", tr("Close"), tr("Closes this card; the Help menu brings it back."), this);
+  auto* tour = pushButton("welcome.tour", tr("Tour of the window"), tr("A tour of the window in eight stops."), this);
+  auto* leave =
+      pushButton("welcome.close", tr("Close"), tr("Closes this card. You find it again in the Help menu."), this);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(tour);
   buttons->addStretch();
@@ -178,7 +178,7 @@ void Welcome::done(Thing thing, const QString& sentence) {
   if (is_done_[thing]) return;
   is_done_[thing] = true;
   was_seen_ = next() == kThings;
-  confirmed_->setText(was_seen_ ? sentence + " " + tr("The Help menu brings this card back.") : sentence);
+  confirmed_->setText(was_seen_ ? sentence + " " + tr("You find this card again in the Help menu.") : sentence);
   tell();
   QAccessibleEvent alert(confirmed_, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);

@@ -45,7 +45,7 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
     actions.perform("notice.tell", tr("Scene saved as %1.").arg(QFileInfo(path).fileName()), path);
   });
   QObject::connect(&files, &SceneFiles::tunedAgain, &actions, [&actions] {
-    actions.perform("notice.tell", tr("Tuned as you left it. Undo (Ctrl+Z) brings the scene back as it came."),
+    actions.perform("notice.tell", tr("Opened with your last settings. Undo (Ctrl+Z) restores the original."),
                     QString());
   });
   actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},

@@ -131,10 +131,11 @@ TEST(Span, BeginsAnewWhereWhatHoldsMeanwhileBreaks) {
   EXPECT_TRUE(slide(1.0).solved);
   const CheckState broken = slide(5.0);
   EXPECT_FALSE(broken.solved);
-  EXPECT_EQ(sentenceOf(check, broken), "The tip y covered 24.0 mm of 30.0 mm.");
+  EXPECT_EQ(sentenceOf(check, broken), "The tip y moved through 24.0 mm; required: 30.0 mm.");
   const CheckState outside = after(check, 0.5, [](Moment& moment, double) { moment.tick.error_m = 5.1e-3; });
   EXPECT_EQ(sentenceOf(check, outside),
-            "The tip y covered 0.0 mm of 30.0 mm. Required at the same time: The error below 2.0 mm; now 5.1 mm.");
+            "The tip y moved through 0.0 mm; required: 30.0 mm. Required at the same time: The error below 2.0 mm; now "
+            "5.1 mm.");
 }
 
 TEST(Cross, CountsSwingsOfSoMuchWithinSoLong) {
@@ -158,7 +159,7 @@ TEST(AskNumber, TakesWhatIsWithinTheTolerance) {
   const CheckState wrong = afterAnswer(check, {}, 128.1);
   EXPECT_FALSE(wrong.solved);
   EXPECT_EQ(sentenceOf(check, {}), "Type your answer.");
-  EXPECT_EQ(sentenceOf(check, wrong), "128.1 mm is not right. Try again.");
+  EXPECT_EQ(sentenceOf(check, wrong), "128.1 mm is not correct. Try again.");
   EXPECT_TRUE(afterAnswer(check, wrong, 127.5).solved);  // another go
   EXPECT_FALSE(afterAnswer(check, {}, kNotANumber).solved);
 }
@@ -174,8 +175,8 @@ TEST(AskNumber, CanBeMeasuredAtThatMoment) {
 TEST(AskChoice, TakesTheRightOneAlone) {
   const Check check = checkOf(R"({"question": "Which?", "choices": ["this", "that"], "right": 2})");
   EXPECT_TRUE(afterAnswer(check, {}, 2).solved);
-  EXPECT_EQ(sentenceOf(check, afterAnswer(check, {}, 2)), "“that” is right.");
-  EXPECT_EQ(sentenceOf(check, afterAnswer(check, {}, 1)), "“this” is not right. Try again.");
+  EXPECT_EQ(sentenceOf(check, afterAnswer(check, {}, 2)), "“that” is correct.");
+  EXPECT_EQ(sentenceOf(check, afterAnswer(check, {}, 1)), "“this” is not correct. Try again.");
   EXPECT_FALSE(afterAnswer(check, {}, 0).solved);
   EXPECT_EQ(sentenceOf(check, {}), "Choose an answer.");
 }

@@ -1,10 +1,13 @@
+#include <deque>
 #include <set>
+#include <sstream>
 
 #include "core/base/units.h"
 #include "core/json/json.h"
 #include "core/scene/compile.h"
 #include "core/scene/fields.h"
 #include "core/scene/load_meshes.h"
+#include "core/scene/teaching.h"
 #include "core/tick/state.h"
 #include "tests/core/scene/scene_support.h"
 
@@ -20,13 +23,31 @@ Description shipped(const std::string& name) {
   return scene;
 }
 
+/// Six words in a row that both have, or none.
+std::string wordsInBoth(const std::string& one, const std::string& other) {
+  std::istringstream words(one);
+  std::deque<std::string> last;
+  for (std::string word; words >> word;) {
+    last.push_back(word);
+    if (last.size() < 6) continue;
+    std::string six = last[0];
+    for (std::size_t index = 1; index < last.size(); ++index) six += " " + last[index];
+    if (other.find(six) != std::string::npos) return six;
+    last.pop_front();
+  }
+  return "";
+}
+
 TEST(ShippedScenes, EachReadsCompilesAndTellsPeopleWhatItIs) {
   const std::vector<std::filesystem::path> files = test::sceneFiles();
   EXPECT_GE(files.size(), 12u);
   for (const std::filesystem::path& file : files) {
     const Description scene = shipped(file.stem().string());
     EXPECT_TRUE(compile(scene)) << file;
-    EXPECT_GE(scene.about.size(), 80u) << file;
+    const Teaching teaching = teachingOf(file.string()).value_or(Teaching{});
+    EXPECT_GE(scene.about.size() + teaching.feel.size() + teaching.try_this.size(), 80u) << file;
+    for (const std::string& part : {teaching.feel, teaching.try_this})
+      EXPECT_EQ(wordsInBoth(part, scene.about), "") << file << ": which stand below one another in the window";
     EXPECT_LE(scene.title.size(), 40u) << file;
   }
 }

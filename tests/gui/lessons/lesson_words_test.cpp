@@ -46,7 +46,7 @@ TEST(LessonWords, ACheckIsToDoUntilItIsSolved) {
   lesson::Check check;
   check.task = askedNumber();
   lesson::CheckState state;
-  EXPECT_TRUE(checkText(check, state).startsWith("○ To do: "));
+  EXPECT_TRUE(checkText(check, state).startsWith("○ Not yet: "));
   state.solved = true;
   EXPECT_TRUE(checkText(check, state).startsWith("✓ Solved: "));
 }

@@ -70,7 +70,7 @@ TEST(Palette, SaysWhatIsNotThereAndWhatIsNotPossibleNow) {
   PaletteDesk desk;
   desk.words->setText("xyzzy");
   EXPECT_EQ(desk.list->count(), 0);
-  EXPECT_TRUE(desk.label("palette.note").startsWith("Nothing has this name."));
+  EXPECT_TRUE(desk.label("palette.note").startsWith("Nothing found."));
   desk.actions().find("edit.undo")->setEnabled(false);
   desk.words->setText("undo");
   ASSERT_GT(desk.list->count(), 0);

@@ -85,7 +85,7 @@ TEST(RecordSection, SaysInWhichFileItGoesOnAndHowManyTicksAreMissing) {
   status.files = {"/home/a.h5", "/home/a_2.h5"};
   status.dropped = 7;
   EXPECT_EQ(warningOf(status, false),
-            "The recording has 2 files, because one session may not be longer. The last one is a_2.h5.\n"
+            "The recording was split into 2 files, because a session's length is limited. The last one is a_2.h5.\n"
             "7 ticks are missing: the computer was too busy to write them. The servo kept running.");
 }
 
