@@ -100,7 +100,7 @@ JsonObject objectOf(const lesson::ResultRow& row) {
   return object;
 }
 
-void printTable(const lesson::ClassResults& results, std::ostream& out) {
+void printClass(const lesson::ClassResults& results, std::ostream& out) {
   const auto text = [](const std::string& words) { return words.empty() ? Table::Field() : Table::Field(words); };
   Table table({"student", "lesson", "date", "solved", "stopped at", "wrong answers", "misconception", "report"});
   for (const lesson::ResultRow& row : results.rows) {
@@ -121,7 +121,7 @@ Exit printResults(const ResultsOptions& options, const Streams& streams) {
   if (options.json) {
     for (const lesson::ResultRow& row : results.rows) streams.out << objectOf(row).text() << '\n';
   }
-  if (!options.csv && !options.moodle && !options.json) printTable(results, streams.out);
+  if (!options.csv && !options.moodle && !options.json) printClass(results, streams.out);
   printNotes(results.older, streams.err);
   print(results.unread, streams.err);
   if (options.moodle && withoutName(results) > 0)

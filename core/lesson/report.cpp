@@ -11,8 +11,8 @@ namespace underact::lesson {
 namespace {
 
 constexpr std::string_view kBegin = "<script type=\"application/json\" id=\"underact-report\">", kEnd = "</script>";
-constexpr std::size_t kLongestText = 400;         // bytes; the window's own are shorter
-constexpr std::size_t kMostMisconceptions = 100;  // of a step; further ones do not change which is the most frequent
+constexpr std::size_t kLongestText = 400;        // bytes; the window's own are shorter
+constexpr std::size_t kMaxMisconceptions = 100;  // of a step; further ones do not change which is the most frequent
 
 /// A longer text is a problem.
 std::string shortText(const json::Value& value, const std::string& path, Findings& findings) {
@@ -30,14 +30,14 @@ std::string readShort(ObjectReader& object, const char* key) {
 }
 
 double readBounded(ObjectReader& object, const char* key, bool is_count) {
-  constexpr double kMost = 1e6;
+  constexpr double kMax = 1e6;
   double number = 0.0;
   const json::Value* const value = object.find(key, true);
   if (value == nullptr) return number;
   readNumber(*value, object.pathOf(key), number, object.findings());
-  if (number >= 0.0 && number <= kMost && (!is_count || number == std::floor(number))) return number;
+  if (number >= 0.0 && number <= kMax && (!is_count || number == std::floor(number))) return number;
   object.findings().add(*value, object.pathOf(key),
-                        phrase(TRANSLATE_NOOP("problem", "This must be from 0 to %1."), {shownNumber(kMost, 0)}));
+                        phrase(TRANSLATE_NOOP("problem", "This must be from 0 to %1."), {shownNumber(kMax, 0)}));
   return 0.0;
 }
 
@@ -57,7 +57,7 @@ StepReport readStepReport(const json::Value& value, const std::string& path, Fin
   if (names != nullptr && isKind(*names, json::JsonKind::Array, object.pathOf("misconceptions"),
                                  phrase(TRANSLATE_NOOP("problem", "a list of names")), findings)) {
     for (const json::Value& name : names->items) {
-      if (step.misconceptions.size() == kMostMisconceptions) break;
+      if (step.misconceptions.size() == kMaxMisconceptions) break;
       step.misconceptions.push_back(shortText(name, object.pathOf("misconceptions"), findings));
     }
   }
@@ -96,7 +96,7 @@ StepReport reportOf(const Step& step, bool solved, const std::vector<CheckState>
     report.wrong += state.wrong.size();
     for (const double answer : state.wrong) {
       const Misconception* const shown = misconceptionOf(check, answer);
-      if (shown != nullptr && report.misconceptions.size() < kMostMisconceptions)
+      if (shown != nullptr && report.misconceptions.size() < kMaxMisconceptions)
         report.misconceptions.push_back(shown->name);
     }
   }

@@ -25,6 +25,7 @@ struct Report {
   std::vector<StepReport> steps;
 };
 
+/// states: of the checks of the step.
 StepReport reportOf(const Step& step, bool solved, const std::vector<CheckState>& states);
 
 /// An element for the head of an HTML page; no text in it can end it.

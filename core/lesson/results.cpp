@@ -62,11 +62,11 @@ Result<std::vector<fs::path>> pagesIn(const std::string& folder) {
   for (const fs::recursive_directory_iterator end; !error && at != end; at.increment(error)) {
     if (at.depth() >= kDeepest) at.disable_recursion_pending();
     if (isPage(*at)) pages.push_back(at->path());
-    if (pages.size() > kMostReports)
+    if (pages.size() > kMaxReports)
       return Problems{{phrase(TRANSLATE_NOOP("problem",
                                              "This folder holds more than %1 pages. Put the reports of one "
                                              "class into a folder of their own."),
-                              {std::to_string(kMostReports)}),
+                              {std::to_string(kMaxReports)}),
                        {folder}}};
   }
   if (error)

@@ -25,7 +25,7 @@ struct ClassResults {
   Problems older;   // one for each report whose student has a later one of the lesson
 };
 
-inline constexpr std::size_t kMostReports = 1000;
+inline constexpr std::size_t kMaxReports = 1000;
 
 /// Reads the web pages in a folder and, as Moodle hands out submissions, in its folders. Reports without a name are
 /// each of another student. Problems: the folder cannot be read.
