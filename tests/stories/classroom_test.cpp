@@ -17,6 +17,7 @@
 #include "app/gui/lessons/class_results.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "core/lesson/results.h"
+#include "tests/stories/access_desk.h"
 #include "tests/stories/lesson_steps.h"
 
 namespace underact::gui::test {
@@ -195,6 +196,7 @@ TEST(ClassroomStory, AFolderOfThirtyReportsIsATableThatIsSortedAndSaved) {
     QDir().mkpath(folder_of_pictures);
     EXPECT_TRUE(dialog->grab().save(folder_of_pictures + QString("/class_results_%1.png").arg(theme)));
   }
+  EXPECT_EQ((wronglyNamed(*dialog) + wronglyOrdered(story, *dialog)).join('\n').toStdString(), "");
   const QString csv = temporaryFile("class.csv"), moodle = temporaryFile("moodle.csv");
   const Result<lesson::ClassResults> read = lesson::readResults(folder.toStdString());
   ASSERT_TRUE(read);

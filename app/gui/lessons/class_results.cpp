@@ -19,6 +19,7 @@
 #include "app/gui/kit/file_question.h"
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
+#include "app/gui/kit/tab_order.h"
 #include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
 #include "core/base/printed.h"
@@ -98,6 +99,7 @@ ClassResults::ClassResults(QWidget* parent)
   column->addWidget(table_, 1);
   column->addWidget(unread_);
   column->addWidget(buildButtons());
+  orderTabs({this});
   fillTable();
 }
 
