@@ -151,7 +151,6 @@ void ClassResults::fillTable() {
   for (int at = 0; at < table_->columnCount(); ++at) table_->setColumnWidth(at, table_->columnWidth(at) + kColumnGap);
   table_->setSortingEnabled(true);
   sort(order_->currentIndex());
-  table_->setVisible(rows > 0);
   for (QPushButton* const button : {csv_, moodle_}) button->setEnabled(rows > 0);
   order_->setEnabled(rows > 0);
   if (folder_.isEmpty())
