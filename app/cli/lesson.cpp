@@ -8,8 +8,10 @@
 #include "app/cli/lesson_try.h"
 #include "app/cli/scene_file.h"
 #include "app/cli/shipped.h"
+#include "app/cli/table.h"
 #include "core/base/printed.h"
 #include "core/lesson/read.h"
+#include "core/lesson/results.h"
 #include "core/system/resource_paths.h"
 
 namespace underact::cli {
@@ -75,10 +77,78 @@ Exit printQuantities(bool json, const Streams& streams) {
   return Exit::Success;
 }
 
+struct ResultsOptions {
+  std::string folder;
+  bool json = false, csv = false, moodle = false;
+};
+
+JsonObject objectOf(const lesson::ResultRow& row) {
+  JsonObject object;
+  object.addText("student", row.student);
+  object.addText("lesson", row.lesson);
+  object.addInteger("steps", row.steps);
+  object.addInteger("solved", row.solved);
+  row.stopped_at > 0 ? object.addInteger("stopped_at", row.stopped_at) : object.addNull("stopped_at");
+  object.addInteger("attempts", row.attempts);
+  object.addNumber("minutes", row.minutes);
+  row.misconception.empty() ? object.addNull("misconception") : object.addText("misconception", row.misconception);
+  object.addText("report", printed(row.report));
+  object.addText("title", row.title);
+  object.addText("date", row.date);
+  object.addInteger("wrong", row.wrong);
+  row.stopped_at > 0 ? object.addText("stopped_title", row.stopped_title) : object.addNull("stopped_title");
+  return object;
+}
+
+void printClass(const lesson::ClassResults& results, std::ostream& out) {
+  const auto text = [](const std::string& words) { return words.empty() ? Table::Field() : Table::Field(words); };
+  Table table({"student", "lesson", "date", "solved", "stopped at", "wrong answers", "misconception", "report"});
+  for (const lesson::ResultRow& row : results.rows) {
+    const std::string step = row.stopped_at > 0 ? std::to_string(row.stopped_at) + " " + row.stopped_title : "";
+    table.add({text(row.student), row.lesson, row.date.substr(0, row.date.find('T')),
+               std::to_string(row.solved) + " of " + std::to_string(row.steps), text(step),
+               static_cast<std::int64_t>(row.wrong), text(row.misconception), row.report});
+  }
+  table.printText(out);
+}
+
+Exit printResults(const ResultsOptions& options, const Streams& streams) {
+  const Result<lesson::ClassResults> read = lesson::readResults(options.folder);
+  if (!read) return fail(read.problems(), Exit::File, streams);
+  const lesson::ClassResults& results = read.value();
+  if (options.csv) streams.out << resultsCsv(results);
+  if (options.moodle) streams.out << moodleCsv(results);
+  if (options.json) {
+    for (const lesson::ResultRow& row : results.rows) streams.out << objectOf(row).text() << '\n';
+  }
+  if (!options.csv && !options.moodle && !options.json) printClass(results, streams.out);
+  printNotes(results.older, streams.err);
+  print(results.unread, streams.err);
+  if (options.moodle && withoutName(results) > 0)
+    streams.err << withoutName(results) << " reports without a name are left out.\n";
+  return results.unread.empty() ? Exit::Success : Exit::BadInput;
+}
+
+void addResults(Command command, const Streams& streams, Exit& exit) {
+  const Command results =
+      command.add("results",
+                  "Table of the reports in a folder: a row for each student and lesson, with the step where "
+                  "they stopped and the misconception that their wrong answers show");
+  const auto options = std::make_shared<ResultsOptions>();
+  results.option("folder", options->folder, "Folder with the reports that students saved").required();
+  const Option json = results.flag("--json", options->json, "One JSON object per line instead of a table");
+  const Option csv = results.flag("--csv", options->csv, "CSV instead of a table").excludes(json);
+  results.flag("--moodle", options->moodle, "CSV for Moodle's import of grades: a row per student, lessons in percent")
+      .excludes(json)
+      .excludes(csv);
+  results.whenChosen([options, &streams, &exit] { exit = printResults(*options, streams); });
+}
+
 }  // namespace
 
 void addLesson(Command program, const Streams& streams, Exit& exit) {
-  const Command command = program.add("lesson", "Check lesson files, list the lessons, or try a step");
+  const Command command =
+      program.add("lesson", "Check lesson files, list the lessons, try a step, or make a table of a class");
   command.mustChoose();
 
   const Command checking =
@@ -98,6 +168,7 @@ void addLesson(Command program, const Streams& streams, Exit& exit) {
   telling.whenChosen([json_too, &streams, &exit] { exit = printQuantities(*json_too, streams); });
 
   addLessonTry(command, streams, exit);
+  addResults(command, streams, exit);
 }
 
 }  // namespace underact::cli

@@ -40,6 +40,12 @@ struct PlainText {
   std::string operator()(bool truth) const { return truth ? "yes" : "no"; }
 };
 
+/// Of UTF-8, in characters.
+std::size_t widthOf(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
+}
+
 bool isNumber(const Table::Field& field) {
   return std::holds_alternative<double>(field) || std::holds_alternative<std::int64_t>(field);
 }
@@ -81,8 +87,8 @@ void Table::printText(std::ostream& out) const {
   for (std::size_t line = 0; line < texts.size(); ++line) {
     for (std::size_t column = 0; column < texts[line].size(); ++column) {
       std::size_t width = 0;
-      for (const std::vector<std::string>& other : texts) width = std::max(width, other[column].size());
-      const std::string space(width - texts[line][column].size(), ' ');
+      for (const std::vector<std::string>& other : texts) width = std::max(width, widthOf(other[column]));
+      const std::string space(width - widthOf(texts[line][column]), ' ');
       const bool right = !rows_.empty() && isNumber(rows_[line > 0 ? line - 1 : 0][column]);
       out << (column > 0 ? "  " : "") << (right ? space + texts[line][column] : texts[line][column] + space);
     }

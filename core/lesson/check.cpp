@@ -163,7 +163,18 @@ CheckState afterAnswer(const Check& check, CheckState state, double answer) {
   }
   state.solved = state.solved && state.missed == 0;
   state.is_wrong = !state.solved;
+  if (state.is_wrong) state.wrong.push_back(answer);
   return state;
+}
+
+const Misconception* misconceptionOf(const Check& check, double answer) {
+  constexpr double kShare = 0.05;  // of a number: `within` may be more than a wrong answer of another unit is
+  const auto* const number = std::get_if<AskNumber>(&check.task);
+  for (const Misconception& one : check.misconceptions) {
+    const double within = number == nullptr ? 0.0 : std::min(number->within, kShare * std::abs(one.answer));
+    if (std::abs(answer - one.answer) <= within) return &one;
+  }
+  return nullptr;
 }
 
 bool isSolved(const std::vector<CheckState>& states) {

@@ -24,6 +24,7 @@ struct CheckState {
   std::deque<std::int64_t> crossed_ns;  // Cross: when it went to the other side, lately
   std::optional<double> answer;         // to a question, the last one: a number, or the number of a choice
   bool is_wrong = false;                // the answer was
+  std::vector<double> wrong;            // all wrong answers
 };
 
 /// The state after a tick. A solved check stays as it is. seen.tick.time_ns must not decrease; where it jumps by more
@@ -33,6 +34,9 @@ CheckState afterTick(const Check& check, CheckState state, const Observation& se
 /// The state after an answer to the check's question: a number, or the number of a choice from 1. Where the answer is
 /// measured, the last tick counts; before the first tick no answer is right.
 CheckState afterAnswer(const Check& check, CheckState state, double answer);
+
+/// What a wrong answer shows; null: the lesson does not say.
+const Misconception* misconceptionOf(const Check& check, double answer);
 
 inline constexpr double kLongestGap_s = 0.5;
 

@@ -74,11 +74,18 @@ struct AskChoice {
 /// What a check asks for.
 using Task = std::variant<Hold, Visit, Span, Cross, AskNumber, AskChoice>;
 
+/// What a wrong answer to a question shows.
+struct Misconception {
+  double answer = 0.0;  // a number, or the number of a choice
+  std::string name;
+};
+
 /// A task, which counts as solved for good once it was, and conditions that have to hold until then.
 struct Check {
   Task task;
   std::vector<Criterion> meanwhile;
-  std::string say;  // the teacher's own words while it is not solved; empty: none
+  std::string say;                            // the teacher's own words while it is not solved; empty: none
+  std::vector<Misconception> misconceptions;  // of its question
   SourceLocation place;
 };
 

@@ -219,6 +219,37 @@ AskChoice readChoiceQuestion(ObjectReader& object) {
   return ask;
 }
 
+/// Whether a misconception can be shown by this answer.
+bool isWrongAnswer(const Task& task, double answer) {
+  if (const auto* choice = std::get_if<AskChoice>(&task))
+    return answer >= 1.0 && answer <= static_cast<double>(choice->choices.size()) && answer == std::floor(answer) &&
+           answer != static_cast<double>(choice->right);
+  const auto* number = std::get_if<AskNumber>(&task);
+  return number == nullptr || !(std::abs(answer - number->answer) <= number->within);
+}
+
+std::vector<Misconception> readMisconceptions(ObjectReader& object, const Task& task) {
+  std::vector<Misconception> all;
+  const Value* const list = object.find("misconceptions");
+  const std::string path = object.pathOf("misconceptions");
+  if (list == nullptr || !isKind(*list, json::JsonKind::Array, path,
+                                 phrase(TRANSLATE_NOOP("problem", "a list of misconceptions")), object.findings()))
+    return all;
+  for (std::size_t index = 0; index < std::min(list->items.size(), kMaxChecks); ++index) {
+    const std::string at = path + "[" + std::to_string(index) + "]";
+    const Sentence what = phrase(TRANSLATE_NOOP("problem", "a misconception"));
+    if (!isKind(list->items[index], json::JsonKind::Object, at, what, object.findings())) continue;
+    ObjectReader one(list->items[index], at, what, object.findings());
+    const std::optional<double> answer = readAmount(one, "answer", true);
+    if (answer && !isWrongAnswer(task, *answer))
+      object.findings().add(list->items[index], one.pathOf("answer"),
+                            phrase(TRANSLATE_NOOP("problem", "This must be a wrong answer to the question.")));
+    all.push_back({answer.value_or(kNotANumber), readLine(one, "name", true)});
+    one.finish();
+  }
+  return all;
+}
+
 /// The kind of a check follows from a key that only this kind has.
 Task readTask(ObjectReader& object, const Value& value) {
   if (value.find("choices") != nullptr) return readChoiceQuestion(object);
@@ -234,12 +265,13 @@ Task readTask(ObjectReader& object, const Value& value) {
 }  // namespace
 
 Check readCheck(const Value& value, const std::string& path, Findings& findings) {
-  Check check{Hold{}, {}, {}, {findings.file(), value.line, value.column, path}};
+  Check check{Hold{}, {}, {}, {}, {findings.file(), value.line, value.column, path}};
   if (!isKind(value, json::JsonKind::Object, path, phrase(TRANSLATE_NOOP("problem", "a check in { }")), findings))
     return check;
   ObjectReader object(value, path, phrase(TRANSLATE_NOOP("problem", "a check")), findings);
   check.task = readTask(object, value);
   check.meanwhile = readMeanwhile(object);
+  if (questionOf(check) != nullptr) check.misconceptions = readMisconceptions(object, check.task);
   if (const Value* const say = object.find("say")) readText(*say, object.pathOf("say"), check.say, findings);
   object.finish();
   return check;

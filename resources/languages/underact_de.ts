@@ -1552,6 +1552,10 @@ Versuchen Sie es mit einem Buch: Drehen Sie es um 90° um $x$, dann um 90° um $
         <translation>−z</translation>
     </message>
     <message>
+        <source>Order of the rotations reversed</source>
+        <translation>Reihenfolge der Drehungen vertauscht</translation>
+    </message>
+    <message>
         <source>First 90° about y, then 90° about x: where does z end up?</source>
         <translation>Zuerst 90° um y, dann 90° um x: Wohin kommt z?</translation>
     </message>
@@ -1588,6 +1592,10 @@ Der Bereich *Kinematik* zeigt die Tabelle des Arms, die Ansicht die Koordinatens
     <message>
         <source>How long is the upper arm, a of row 3, in mm?</source>
         <translation>Wie lang ist der Oberarm, a in Zeile 3, in mm?</translation>
+    </message>
+    <message>
+        <source>Wrong row of the DH table</source>
+        <translation>Falsche Zeile der DH-Tabelle</translation>
     </message>
     <message>
         <source>How long is the forearm, d of row 4, in mm?</source>
@@ -1650,6 +1658,10 @@ Betrachten Sie die Spalte $\alpha$ im Bereich *DH-Tabelle* und die Koordinatensy
     <message>
         <source>5 and 6</source>
         <translation>5 und 6</translation>
+    </message>
+    <message>
+        <source>Twist of 90° taken for parallel axes</source>
+        <translation>Verwindung von 90° für parallele Achsen gehalten</translation>
     </message>
     <message>
         <source>Set the joints</source>
@@ -1760,6 +1772,10 @@ In W ist das $z_W = r - 176$ mm. Rechnen Sie es aus, bevor Sie in den Bereich *A
         <translation>Wie groß ist z der Spitze in W, in mm?</translation>
     </message>
     <message>
+        <source>Offset between W and B forgotten</source>
+        <translation>Versatz zwischen W und B vergessen</translation>
+    </message>
+    <message>
         <source>Out of the plane</source>
         <translation>Aus der Ebene heraus</translation>
     </message>
@@ -1786,6 +1802,10 @@ Rechnen Sie aus, wo die Spitze für $\theta_1 = 20°$, $\theta_2 = 40°$, $\thet
     <message>
         <source>What is x in W (that is y in B), in mm?</source>
         <translation>Wie groß ist x in W (also y in B), in mm?</translation>
+    </message>
+    <message>
+        <source>Sine and cosine confused</source>
+        <translation>Sinus und Kosinus verwechselt</translation>
     </message>
     <message>
         <source>The wrist does not move the tip</source>
@@ -1903,6 +1923,10 @@ Drehen Sie den Stift, bis zwei der acht die Grenzen einhalten, und halten Sie ih
         <translation>nein, Gelenk 5 müsste durch 0° gehen</translation>
     </message>
     <message>
+        <source>Solutions thought to be connected</source>
+        <translation>Lösungen für verbunden gehalten</translation>
+    </message>
+    <message>
         <source>Two elbows</source>
         <translation>Zwei Ellbogen</translation>
     </message>
@@ -1936,6 +1960,14 @@ dem anderen Ellbogen zeigen den zweiten Winkel.</translation>
     <message>
         <source>What is the angle of the other elbow, in degrees?</source>
         <translation>Welchen Winkel hat der andere Ellbogen, in Grad?</translation>
+    </message>
+    <message>
+        <source>One angle for a sine, where there are two</source>
+        <translation>Ein Winkel je Sinus, wo es zwei gibt</translation>
+    </message>
+    <message>
+        <source>−θ₃ in place of 180° − θ₃</source>
+        <translation>−θ₃ statt 180° − θ₃</translation>
     </message>
     <message>
         <source>Where two become one</source>
@@ -1988,6 +2020,14 @@ Bringen Sie Gelenk 5 auf 60° und halten Sie es eine halbe Sekunde lang; wählen
         <translation>Wie groß ist θ₅ beim anderen Handgelenk, in Grad?</translation>
     </message>
     <message>
+        <source>180° − θ₅ in place of −θ₅</source>
+        <translation>180° − θ₅ statt −θ₅</translation>
+    </message>
+    <message>
+        <source>θ₅ thought to be the same in both wrists</source>
+        <translation>θ₅ in beiden Handgelenken für gleich gehalten</translation>
+    </message>
+    <message>
         <source>At θ₅ = 0, how many combinations of θ₄ and θ₆ give the same orientation?</source>
         <translation>Wie viele Kombinationen von θ₄ und θ₆ ergeben bei θ₅ = 0 dieselbe Orientierung?</translation>
     </message>
@@ -2006,6 +2046,10 @@ Bringen Sie Gelenk 5 auf 60° und halten Sie es eine halbe Sekunde lang; wählen
     <message>
         <source>infinitely many</source>
         <translation>unendlich viele</translation>
+    </message>
+    <message>
+        <source>Singular pose counted as any other</source>
+        <translation>Singuläre Lage wie jede andere gezählt</translation>
     </message>
     <message>
         <source>Jacobian and singularities</source>
@@ -2133,6 +2177,10 @@ $$\det J = \pm \det J_p \cdot \sin\theta_5$$</translation>
         <translation>Wie viele Arten von Singularitäten hat dieser Arm?</translation>
     </message>
     <message>
+        <source>Singularity of the wrist forgotten</source>
+        <translation>Singularität des Handgelenks vergessen</translation>
+    </message>
+    <message>
         <source>At θ₅ = 0, what can the stylus not do?</source>
         <translation>Was kann der Stift bei θ₅ = 0 nicht?</translation>
     </message>
@@ -2147,6 +2195,10 @@ $$\det J = \pm \det J_p \cdot \sin\theta_5$$</translation>
     <message>
         <source>move at all</source>
         <translation>sich überhaupt bewegen</translation>
+    </message>
+    <message>
+        <source>Singularity of the wrist taken for that of the elbow</source>
+        <translation>Singularität des Handgelenks für die des Ellbogens gehalten</translation>
     </message>
     <message>
         <source>Statics and force ellipsoids</source>
@@ -2227,6 +2279,10 @@ Berechnen Sie das Drehmoment für $f_x = 0.5$ N dort. Ziehen Sie dann nach recht
         <translation>Wie groß ist das Drehmoment, in N mm?</translation>
     </message>
     <message>
+        <source>Metres in place of millimetres</source>
+        <translation>Meter statt Millimeter</translation>
+    </message>
+    <message>
         <source>Pull to the right: the spring pulls to the left, so its torque is negative.</source>
         <translation>Ziehen Sie nach rechts: Die Feder zieht nach links, daher ist ihr Drehmoment negativ.</translation>
     </message>
@@ -2260,6 +2316,10 @@ Strecken Sie den Arm, bis weniger als 20° bis zur Streckung fehlen, und sehen S
     <message>
         <source>round</source>
         <translation>rund</translation>
+    </message>
+    <message>
+        <source>Force ellipsoid thought to have the shape of that of motion</source>
+        <translation>Kraftellipsoid für so geformt gehalten wie das der Bewegung</translation>
     </message>
     <message>
         <source>Stiffness and damping</source>
@@ -2348,8 +2408,20 @@ Nehmen Sie $m = 0.1$ kg, $b = 4$ N s/m, $k_d = 0$ und $k_p = 0.1$ N/mm, das sind
         <translation>Wie groß ist ωₙ, in rad/s?</translation>
     </message>
     <message>
+        <source>Square root forgotten</source>
+        <translation>Wurzel vergessen</translation>
+    </message>
+    <message>
+        <source>N/mm not converted to N/m</source>
+        <translation>N/mm nicht in N/m umgerechnet</translation>
+    </message>
+    <message>
         <source>What is ζ?</source>
         <translation>Wie groß ist ζ?</translation>
+    </message>
+    <message>
+        <source>Factor 2 forgotten</source>
+        <translation>Faktor 2 vergessen</translation>
     </message>
     <message>
         <source>Critically damped</source>
@@ -2445,6 +2517,10 @@ Eine Hand und ein Arm mit mehr Dämpfung nehmen sie auf. Eine Wand, die mehr abg
         <translation>Und bei 2000 Takten je Sekunde?</translation>
     </message>
     <message>
+        <source>Leak thought not to depend on the tick</source>
+        <translation>Leck für unabhängig vom Tick gehalten</translation>
+    </message>
+    <message>
         <source>An active wall</source>
         <translation>Eine aktive Wand</translation>
     </message>
@@ -2491,6 +2567,10 @@ $$K &lt; \frac{2 b}{T}$$</translation>
     <message>
         <source>The damping is 4 N s/m and a tick takes 1 ms. How stiff may the wall be, in N/mm?</source>
         <translation>Die Dämpfung beträgt 4 N s/m, ein Takt dauert 1 ms. Wie steif darf die Wand sein, in N/mm?</translation>
+    </message>
+    <message>
+        <source>N/m not converted to N/mm</source>
+        <translation>N/m nicht in N/mm umgerechnet</translation>
     </message>
     <message>
         <source>Your wall buzzes. What does NOT help?</source>
@@ -2614,6 +2694,10 @@ Drücken Sie Start und gleiten Sie auf der Ebene: über 40 mm in $x$ und über 4
         <translation>in einem Punkt</translation>
     </message>
     <message>
+        <source>Joints taken for constraints</source>
+        <translation>Gelenke für Bindungen gehalten</translation>
+    </message>
+    <message>
         <source>A robot without joints is …</source>
         <translation>Ein Roboter ohne Gelenke ist …</translation>
     </message>
@@ -2712,6 +2796,10 @@ Drücken Sie Start und ziehen Sie von der Kugel mit 40 mm Radius weg, bis die ve
         <translation>nichts</translation>
     </message>
     <message>
+        <source>Force thought to be carried by the joints</source>
+        <translation>Kraft den Gelenken zugeschrieben</translation>
+    </message>
+    <message>
         <source>A joint at its limit</source>
         <translation>Ein Gelenk an seiner Grenze</translation>
     </message>
@@ -2772,6 +2860,10 @@ Die Kugel, der Draht, die Wand: Jedes war ein Roboter, und jede Kraft war der Te
     <message>
         <source>in all directions</source>
         <translation>in allen Richtungen</translation>
+    </message>
+    <message>
+        <source>Singular direction taken for one of motion</source>
+        <translation>Singuläre Richtung für eine der Bewegung gehalten</translation>
     </message>
     <message>
         <source>Two arms, two workspaces</source>
@@ -2856,6 +2948,14 @@ Sehen Sie sich im Bereich *Kinematik* die *Jacobi-Matrix* an: Welche Zeilen sind
         <translation>das Kippen um x und y</translation>
     </message>
     <message>
+        <source>Slide forgotten</source>
+        <translation>Schubgelenk vergessen</translation>
+    </message>
+    <message>
+        <source>Joint that turns the tool forgotten</source>
+        <translation>Gelenk vergessen, das das Werkzeug dreht</translation>
+    </message>
+    <message>
         <source>Eight solutions, two, or none</source>
         <translation>Acht Lösungen, zwei oder keine</translation>
     </message>
@@ -2921,6 +3021,10 @@ oder drei parallele (Pieper 1968). Ohne sie sucht ein Programm, wie `underact-cl
         <translation>ein anderes Werkzeug</translation>
     </message>
     <message>
+        <source>Lengths thought to decide about the formula</source>
+        <translation>Längen für entscheidend für die Formel gehalten</translation>
+    </message>
+    <message>
         <source>Joints to spare</source>
         <translation>Gelenke übrig</translation>
     </message>
@@ -2945,6 +3049,14 @@ die Dimension des **Nullraums**: der Gelenkgeschwindigkeiten, die die Spitze nic
     <message>
         <source>What is the dimension of the null space?</source>
         <translation>Welche Dimension hat der Nullraum?</translation>
+    </message>
+    <message>
+        <source>Coordinates counted in place of the difference</source>
+        <translation>Koordinaten statt der Differenz gezählt</translation>
+    </message>
+    <message>
+        <source>Joints counted in place of the difference</source>
+        <translation>Gelenke statt der Differenz gezählt</translation>
     </message>
     <message>
         <source>Move the links, not the tip</source>
@@ -2985,6 +3097,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>its flange, along a line</source>
         <translation>sein Flansch, entlang einer Linie</translation>
+    </message>
+    <message>
+        <source>Seventh joint forgotten</source>
+        <translation>Siebtes Gelenk vergessen</translation>
     </message>
 </context>
 <context>
@@ -3306,6 +3422,10 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>The picture is damaged, or neither PNG nor JPEG.</source>
         <translation>Das Bild ist beschädigt oder weder PNG noch JPEG.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1. Choose another folder.</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
         <source>A page shows at most %1 pictures.</source>
@@ -4884,6 +5004,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Dies muss die Nummer der richtigen Antwort sein, 1 bis %1.</translation>
     </message>
     <message>
+        <source>a list of misconceptions</source>
+        <translation>eine Liste von Fehlvorstellungen</translation>
+    </message>
+    <message>
+        <source>a misconception</source>
+        <translation>eine Fehlvorstellung</translation>
+    </message>
+    <message>
+        <source>This must be a wrong answer to the question.</source>
+        <translation>Dies muss eine falsche Antwort auf die Frage sein.</translation>
+    </message>
+    <message>
         <source>a check in { }</source>
         <translation>eine Prüfung in { }</translation>
     </message>
@@ -4914,6 +5046,38 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>The text is empty.</source>
         <translation>Der Text ist leer.</translation>
+    </message>
+    <message>
+        <source>This is longer than %1 bytes.</source>
+        <translation>Dies ist länger als %1 Bytes.</translation>
+    </message>
+    <message>
+        <source>This must be from 0 to %1.</source>
+        <translation>Dies muss zwischen 0 und %1 liegen.</translation>
+    </message>
+    <message>
+        <source>a report</source>
+        <translation>ein Bericht</translation>
+    </message>
+    <message>
+        <source>This must be the number 1, the version of reports.</source>
+        <translation>Dies muss die Zahl 1 sein, die Version der Berichte.</translation>
+    </message>
+    <message>
+        <source>This page is no report of a lesson, or one of an earlier version, which has no data for a table.</source>
+        <translation>Diese Seite ist kein Bericht einer Lektion, oder einer aus einer früheren Version, der keine Daten für eine Tabelle enthält.</translation>
+    </message>
+    <message>
+        <source>This folder holds more than %1 pages. Put the reports of one class into a folder of their own.</source>
+        <translation>Dieser Ordner enthält mehr als %1 Seiten. Legen Sie die Berichte einer Klasse in einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read: %1.</source>
+        <translation>Der Ordner kann nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>%1 has a later report of this lesson, %2, which counts.</source>
+        <translation>%1 hat einen späteren Bericht dieser Lektion, %2; dieser zählt.</translation>
     </message>
     <message>
         <source>The scene has an error: %1</source>
@@ -9027,6 +9191,18 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Taste %1</translation>
     </message>
     <message>
+        <source>Save as PDF</source>
+        <translation>Als PDF speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The page was not saved.</source>
+        <translation>Die Seite wurde nicht gespeichert.</translation>
+    </message>
+    <message>
         <source>Nothing has been measured.</source>
         <translation>Es ist nichts gemessen.</translation>
     </message>
@@ -9141,6 +9317,26 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>New student</source>
+        <translation>Nächste Person</translation>
+    </message>
+    <message>
+        <source>Begin with a new student?</source>
+        <translation>Mit der nächsten Person beginnen?</translation>
+    </message>
+    <message>
+        <source>The name, the progress and the ticks of all lessons are cleared.</source>
+        <translation>Der Name sowie Fortschritt und Häkchen aller Lektionen werden gelöscht.</translation>
+    </message>
+    <message>
+        <source>Before that, the report of this lesson is saved as %1.</source>
+        <translation>Zuvor wird der Bericht dieser Lektion gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>&amp;New student</source>
+        <translation>&amp;Nächste Person</translation>
     </message>
     <message>
         <source>Add a mesh</source>
@@ -10511,6 +10707,153 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::ClassResults</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>– all solved</source>
+        <translation>– alles gelöst</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Files that are not in the table</source>
+        <translation>Dateien, die nicht in der Tabelle sind</translation>
+    </message>
+    <message>
+        <source>Class results</source>
+        <translation>Ergebnisse der Klasse</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Gelöst</translation>
+    </message>
+    <message>
+        <source>Stopped at</source>
+        <translation>Stehen geblieben bei</translation>
+    </message>
+    <message>
+        <source>Wrong answers</source>
+        <translation>Falsche Antworten</translation>
+    </message>
+    <message>
+        <source>Misconception</source>
+        <translation>Fehlvorstellung</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Sort by</source>
+        <translation>Sortieren nach</translation>
+    </message>
+    <message>
+        <source>The column that the table is sorted by.</source>
+        <translation>Die Spalte, nach der die Tabelle sortiert ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder…</source>
+        <translation>&amp;Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>Reads the reports in a folder and in its folders.</source>
+        <translation>Liest die Berichte in einem Ordner und in dessen Ordnern.</translation>
+    </message>
+    <message>
+        <source>&amp;Save as CSV…</source>
+        <translation>Als &amp;CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the table for a spreadsheet.</source>
+        <translation>Speichert die Tabelle für ein Tabellenprogramm.</translation>
+    </message>
+    <message>
+        <source>Save for &amp;Moodle…</source>
+        <translation>Für &amp;Moodle speichern …</translation>
+    </message>
+    <message>
+        <source>Saves the steps solved, in percent, as the CSV that Moodle imports as grades.</source>
+        <translation>Speichert die gelösten Schritte in Prozent als CSV, das Moodle als Bewertungen importiert.</translation>
+    </message>
+    <message>
+        <source>Sor&amp;t by</source>
+        <translation>Sor&amp;tieren nach</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Closes this window.</source>
+        <translation>Schließt dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>(ohne Name)</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the reports that your students saved (Lessons, Save report). Each student and lesson becomes a row.</source>
+        <translation>Wählen Sie den Ordner mit den Berichten, die Ihre Klasse gespeichert hat (Lektionen, Bericht speichern). Jede Person und Lektion wird eine Zeile.</translation>
+    </message>
+    <message>
+        <source>Reports in %1: %2</source>
+        <translation>Berichte in %1: %2</translation>
+    </message>
+    <message>
+        <source>There are no reports in %1. Students save one with Lessons, Save report.</source>
+        <translation>In %1 sind keine Berichte. Man speichert einen mit Lektionen, Bericht speichern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation><numerusform>Und %n weitere.</numerusform><numerusform>Und %n weitere.</numerusform></translation>
+    </message>
+    <message>
+        <source>Open a folder of reports</source>
+        <translation>Ordner mit Berichten öffnen</translation>
+    </message>
+    <message>
+        <source>Save for Moodle</source>
+        <translation>Für Moodle speichern</translation>
+    </message>
+    <message>
+        <source>Save as CSV</source>
+        <translation>Als CSV speichern</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1. Choose another folder.</source>
+        <translation>Nicht gespeichert: %1. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Left out, as they have no name: %1.</source>
+        <translation>Weggelassen, da ohne Name: %1.</translation>
     </message>
 </context>
 <context>
@@ -12161,6 +12504,10 @@ und %2 weitere</translation>
         <source>The guide cannot be opened.</source>
         <translation>Das Handbuch lässt sich nicht öffnen.</translation>
     </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
 </context>
 <context>
     <name>underact::gui::GuideWindow</name>
@@ -12215,6 +12562,22 @@ und %2 weitere</translation>
     <message>
         <source>Larger text (Ctrl+plus)</source>
         <translation>Größerer Text (Strg+Plus)</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken …</translation>
+    </message>
+    <message>
+        <source>Prints the page (Ctrl+P)</source>
+        <translation>Druckt die Seite (Strg+P)</translation>
+    </message>
+    <message>
+        <source>PDF…</source>
+        <translation>PDF …</translation>
+    </message>
+    <message>
+        <source>Saves the page as PDF</source>
+        <translation>Speichert die Seite als PDF</translation>
     </message>
     <message>
         <source>%1 – Guide</source>
@@ -13355,12 +13718,48 @@ und %2 weitere</translation>
         <translation>Geht zum vorigen Schritt der Lektion.</translation>
     </message>
     <message>
-        <source>&amp;Show me</source>
-        <translation>Zei&amp;gen</translation>
+        <source>&amp;Hint</source>
+        <translation>&amp;Hinweis</translation>
     </message>
     <message>
         <source>Shows a hint for this step, below its text.</source>
         <translation>Zeigt einen Hinweis zu diesem Schritt unter seinem Text.</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Prints all steps of the lesson with their questions.</source>
+        <translation>Druckt alle Schritte der Lektion mit ihren Fragen.</translation>
+    </message>
+    <message>
+        <source>Save as P&amp;DF…</source>
+        <translation>Als &amp;PDF speichern …</translation>
+    </message>
+    <message>
+        <source>Saves all steps of the lesson with their questions as PDF.</source>
+        <translation>Speichert alle Schritte der Lektion mit ihren Fragen als PDF.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>New st&amp;udent…</source>
+        <translation>Nächste Per&amp;son …</translation>
+    </message>
+    <message>
+        <source>Clears name, progress and ticks for the next student; the report is kept.</source>
+        <translation>Löscht Name, Fortschritt und Häkchen für die nächste Person; der Bericht bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Class results…</source>
+        <translation>&amp;Ergebnisse der Klasse …</translation>
+    </message>
+    <message>
+        <source>Makes one table of the reports in a folder, also for Moodle.</source>
+        <translation>Macht aus den Berichten eines Ordners eine Tabelle, auch für Moodle.</translation>
     </message>
     <message>
         <source>Lesson not opened</source>
@@ -13377,10 +13776,6 @@ und %2 weitere</translation>
     <message>
         <source>✓ %1</source>
         <translation>✓ %1</translation>
-    </message>
-    <message>
-        <source>Saved as %1.</source>
-        <translation>Gespeichert als %1.</translation>
     </message>
     <message>
         <source>Not saved: %1. Choose another folder.</source>

@@ -15,6 +15,9 @@ FeatureRow guideFeature() {
   return {.pages = {{"guide", "window#this-guide"},
                     {"button.help.guide", "window#this-guide"},
                     {"dialog.guide_problems", "install"},
+                    {"dialog.guide_print", "window#this-guide"},
+                    {"dialog.guide_pdf", "window#this-guide"},
+                    {"dialog.guide_pdf_problems", "window#this-guide"},
                     {"dialog.notebook", "python#notebooks"},
                     {"dialog.notebook_problems", "python#notebooks"}},
           .make = makeGuide};

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QUrl>
 
@@ -69,6 +70,9 @@ bool GuideTool::open(const QString& place) {
     }
     window_ = new GuideWindow(std::move(read).value(), zoom_, main_);
     connect(window_, &GuideWindow::asked, this, &GuideTool::follow);
+    connect(window_, &GuideWindow::saved, this, [this](const QString& path) {
+      actions_.perform("notice.tell", tr("Saved as %1.").arg(QFileInfo(path).fileName()), path);
+    });
   }
   if (!window_->open(place) && window_->place().isEmpty()) window_->open("start");
   window_->show();

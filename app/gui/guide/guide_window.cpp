@@ -74,7 +74,19 @@ QWidget* GuideWindow::buildBar() {
       [this] { page_->setZoom(page_->zoom() - kZoomStep); });
   add("guide.larger", tr("Larger"), tr("Larger text (Ctrl+plus)"),
       [this] { page_->setZoom(page_->zoom() + kZoomStep); });
+  add("guide.print", tr("Print…"), tr("Prints the page (Ctrl+P)"), [this] { askToPrint(this, "guide", paper()); });
+  add("guide.pdf", tr("PDF…"), tr("Saves the page as PDF"),
+      [this] { askToSavePdf(this, "guide", paper(), [this](const QString& path) { emit saved(path); }); });
   return bar;
+}
+
+/// The page shown. Where each section is a worksheet, each begins a sheet.
+PaperPage GuideWindow::paper() const {
+  const QString name = place().section('#', 0, 0);
+  const guide::Entry* const entry = guide_.find(name.toStdString());
+  if (entry == nullptr) return {};
+  return {QString::fromStdString(entry->page.title), QString::fromStdString(entry->markdown),
+          QString::fromStdString(guide_.folder), Author::Program, name == "experiments"};
 }
 
 int GuideWindow::zoom() const {
@@ -153,6 +165,7 @@ bool GuideWindow::doKey(int key, Qt::KeyboardModifiers modifiers, bool really) {
   if (is(Qt::Key_F3, Qt::ShiftModifier)) return done([this] { page_->toMark(false); });
   if (is(Qt::Key_Left, Qt::AltModifier)) return done([this] { go(-1); });
   if (is(Qt::Key_Right, Qt::AltModifier)) return done([this] { go(1); });
+  if (is(Qt::Key_P, Qt::ControlModifier)) return done([this] { askToPrint(this, "guide", paper()); });
   if (is(Qt::Key_W, Qt::ControlModifier)) return done([this] { close(); });
   if (is(Qt::Key_Minus, Qt::ControlModifier)) return done([this] { page_->setZoom(page_->zoom() - kZoomStep); });
   if (is(Qt::Key_0, Qt::ControlModifier)) return done([this] { page_->setZoom(100); });

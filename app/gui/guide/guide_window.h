@@ -2,6 +2,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "app/gui/kit/page_print.h"
 #include "app/guide/search.h"
 
 class QLineEdit;
@@ -10,7 +11,6 @@ class QUrl;
 namespace underact::gui {
 
 class GuideList;
-class PageView;
 
 /// The user's guide: contents and search on the left, a page on the right. It is a separate window, so that a page can
 /// be read while the servo runs.
@@ -33,6 +33,8 @@ class GuideWindow : public QWidget {
  signals:
   /// A link to something other than a page: "scene:02_sphere", "lesson:...", "action:...".
   void asked(const QUrl& link);
+  /// The page was saved as PDF.
+  void saved(const QString& path);
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -43,6 +45,7 @@ class GuideWindow : public QWidget {
   void go(int steps);
   bool present(const QString& place);
   void follow(const QUrl& link);
+  PaperPage paper() const;
   bool doKey(int key, Qt::KeyboardModifiers modifiers, bool really);
 
   guide::Guide guide_;

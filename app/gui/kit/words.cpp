@@ -36,6 +36,18 @@ QString menuText(QString name) {
   return name.replace('&', "&&");
 }
 
+QString fileNameOf(const QString& words) {
+  constexpr int kLongest = 60;  // characters, of up to four bytes: a name has 255
+  QString name;
+  int letters = 0;
+  for (const char32_t letter : words.normalized(QString::NormalizationForm_C).toStdU32String()) {
+    const bool kept = QChar::isLetterOrNumber(letter) || QChar::isMark(letter);
+    if (kept && ++letters <= kLongest) name += QString::fromUcs4(&letter, 1);
+    if (!kept && !name.isEmpty() && !name.endsWith('-')) name += '-';
+  }
+  return name.endsWith('-') ? name.chopped(1) : name;
+}
+
 QString sentencesOf(const Problems& problems) {
   QStringList lines;
   for (const Problem& problem : problems) lines << sentenceText(problem.sentence);

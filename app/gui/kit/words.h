@@ -18,6 +18,9 @@ QString sentenceText(const Sentence& sentence);
 /// A name for the text of a menu, a button or a tab, where an & would underline the letter behind it.
 QString menuText(QString name);
 
+/// Letters and digits of any script with single hyphens between: a part of a file's name; empty: there are none.
+QString fileNameOf(const QString& words);
+
 /// Only the sentences, one per line, for a panel that the user is already looking at.
 QString sentencesOf(const Problems& problems);
 

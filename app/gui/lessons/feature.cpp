@@ -18,7 +18,14 @@ FeatureRow lessonsFeature() {
             "scenes", "Ctrl+L"}},
       .pages = {{"panel.lessons", "lessons"},
                 {"dialog.open_lesson", "lessons"},
-                {"dialog.save_lesson_report", "lessons#the-report"}},
+                {"dialog.save_lesson_report", "lessons#the-report"},
+                {"dialog.lesson_print", "classes#on-paper"},
+                {"dialog.lesson_pdf", "classes#on-paper"},
+                {"dialog.lesson_pdf_problems", "classes#on-paper"},
+                {"dialog.new_student", "classes#one-computer-several-students"},
+                {"dialog.class_results", "classes#results-of-a-class"},
+                {"dialog.class_results_save", "classes#results-of-a-class"},
+                {"dialog.class_results_folder", "classes#results-of-a-class"}},
       .opens = isLessonFile,
       .open_action = "lesson.open"};
 }

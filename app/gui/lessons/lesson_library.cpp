@@ -16,13 +16,15 @@ namespace {
 
 constexpr std::size_t kLargestLesson = std::size_t{1} << 20;  // bytes; a longer file is refused
 
+const QString kSolved = "lessons/solved";  // group of the settings
+
 /// A settings key. Paths are encoded, since slashes separate groups there; a shipped lesson goes by its name, wherever
 /// it is installed.
 QString keyOf(const QString& path) {
   const QFileInfo file(path);
   const bool ships = file.absolutePath() == lessonFolder();
   const QString name = ships ? file.completeBaseName() : file.absoluteFilePath();
-  return "lessons/solved/" + QString::fromLatin1(QUrl::toPercentEncoding(name));
+  return kSolved + ('/' + QString::fromLatin1(QUrl::toPercentEncoding(name)));
 }
 
 }  // namespace
@@ -72,6 +74,10 @@ void rememberSolved(const QString& path, std::size_t step) {
   QStringList steps = stored.value(keyOf(path)).toStringList();
   if (steps.contains(QString::number(step))) return;
   stored.setValue(keyOf(path), steps << QString::number(step));
+}
+
+void forgetSolved() {
+  QSettings().remove(kSolved);
 }
 
 }  // namespace underact::gui

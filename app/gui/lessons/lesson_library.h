@@ -25,5 +25,7 @@ QString lessonPath(const QString& name);
 /// Which steps of a lesson (from 0) were solved, now or earlier; kept in the user's settings.
 QSet<std::size_t> solvedSteps(const QString& path);
 void rememberSolved(const QString& path, std::size_t step);
+/// For the next student: no step of any lesson was solved.
+void forgetSolved();
 
 }  // namespace underact::gui

@@ -48,6 +48,7 @@ LessonPage::LessonPage(LessonRun& run, Actions& actions, QWidget* parent)
   nameWidget(text_, "panel.lessons.text", tr("Text of the step"));
   text_->setFrameShape(QFrame::NoFrame);
   nameWidget(name_, "panel.lessons.name", tr("Name in the report"));
+  name_->setMaxLength(100);
   name_->setPlaceholderText(tr("Name in the report (optional)"));
   name_->setToolTip(tr("Written to the report only and saved nowhere else."));
   note_->hide();
@@ -202,6 +203,10 @@ bool LessonPage::showHint() {
 
 QString LessonPage::typedName() const {
   return name_->text().trimmed();
+}
+
+void LessonPage::clearName() {
+  name_->clear();
 }
 
 void LessonPage::setNote(const QString& text) {

@@ -30,6 +30,7 @@ class LessonPage : public QWidget {
   bool hasHint() const;
   /// The name typed for the report.
   QString typedName() const;
+  void clearName();
   void setNote(const QString& text);
   PageView& text() { return *text_; }
 

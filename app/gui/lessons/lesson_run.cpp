@@ -1,6 +1,9 @@
 #include "app/gui/lessons/lesson_run.h"
 
+#include <QDateTime>
+#include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/gui/lessons/lesson_library.h"
@@ -35,6 +38,7 @@ bool LessonRun::begin(const QString& path, QString& why) {
   if (!isOn() && !place_.keep()) return false;  // the user cancelled
   lesson_ = translated(std::move(read).value());
   path_ = path;
+  since_begin_.start();
   states_.assign(lesson_->steps.size(), {});
   solved_ = solvedSteps(path);
   std::size_t first = 0;
@@ -104,6 +108,19 @@ bool LessonRun::asksFor(std::initializer_list<std::string_view> quantity_keys) c
 std::vector<lesson::TargetPlace> LessonRun::targets() const {
   if (!isOn() || !parts_.document.isOpen()) return {};
   return lesson::targetsOf(step(), scene::armOf(parts_.document.scene()));
+}
+
+lesson::Report LessonRun::report(const QString& name, const QDateTime& when) const {
+  const double minutes = static_cast<double>(since_begin_.elapsed()) / 60e3;
+  lesson::Report report{name.toStdString(),
+                        QFileInfo(path_).completeBaseName().toStdString(),
+                        lesson_->title,
+                        when.toString(Qt::ISODate).toStdString(),
+                        std::round(10.0 * minutes) / 10.0,
+                        {}};
+  for (std::size_t step = 0; step < lesson_->steps.size(); ++step)
+    report.steps.push_back(lesson::reportOf(lesson_->steps[step], isSolved(step), states_[step]));
+  return report;
 }
 
 /// Marks the current step as solved if all of its checks are.

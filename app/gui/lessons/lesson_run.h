@@ -1,4 +1,5 @@
 #pragma once
+#include <QElapsedTimer>
 #include <QObject>
 #include <QSet>
 #include <initializer_list>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "app/gui/lessons/lesson_window_state.h"
-#include "core/lesson/check.h"
+#include "core/lesson/report.h"
 #include "core/lesson/stage.h"
 
 namespace underact::gui {
@@ -42,6 +43,8 @@ class LessonRun : public QObject {
   bool asksFor(std::initializer_list<std::string_view> quantity_keys) const;
   /// The places where the current step wants the tip, and which of them were reached.
   std::vector<lesson::TargetPlace> targets() const;
+  /// What was done in the lesson since it began. name: of the student; empty: none.
+  lesson::Report report(const QString& name, const QDateTime& when) const;
   bool isServoRunning() const { return servo_runs_; }
 
  signals:
@@ -60,6 +63,7 @@ class LessonRun : public QObject {
   std::size_t at_ = 0;
   std::vector<std::vector<lesson::CheckState>> states_;
   QSet<std::size_t> solved_;
+  QElapsedTimer since_begin_;
   target::Robot robot_;  // of the last frame
   bool servo_runs_ = false;
   std::int64_t begins_ns_ = 0;  // of the step: ticks before it belong to the step before

@@ -3,6 +3,7 @@
 #include <underact/version.h>
 
 #include <QDateTime>
+#include <QFileInfo>
 #include <QLocale>
 
 #include "app/gui/kit/words.h"
@@ -46,8 +47,8 @@ QString lessonReport(const LessonRun& run, const QString& name, const QDateTime&
   QString page = QString(
                      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>%1</title>\n"
                      "<style>body{font-family:sans-serif;max-width:40em;margin:2em auto}"
-                     "th{text-align:left;padding-right:1em}h2{font-size:1.1em}</style></head><body>\n<h1>%1</h1>\n")
-                     .arg(title.toHtmlEscaped());
+                     "th{text-align:left;padding-right:1em}h2{font-size:1.1em}</style>\n%2</head><body>\n<h1>%1</h1>\n")
+                     .arg(title.toHtmlEscaped(), QString::fromStdString(reportData(run.report(name, when))));
   page += "<table>\n";
   if (!name.isEmpty()) page += reportRow(tr("Name"), name);
   page += reportRow(tr("Date"), QLocale().toString(when, QLocale::LongFormat));
@@ -56,6 +57,31 @@ QString lessonReport(const LessonRun& run, const QString& name, const QDateTime&
   page += "</table>\n";
   for (std::size_t step = 0; step < run.lesson().steps.size(); ++step) page += stepText(run, step);
   return page + "</body></html>\n";
+}
+
+QString reportFileName(const LessonRun& run, const QString& name) {
+  const QString who = fileNameOf(name);
+  return QFileInfo(run.path()).completeBaseName() + "-report" + (who.isEmpty() ? QString() : "-" + who) + ".html";
+}
+
+QString lessonMarkdown(const lesson::Lesson& lesson) {
+  std::string page = "# " + lesson.title + "\n\n" + lesson.about + "\n";
+  int number = 0;
+  for (const lesson::Step& step : lesson.steps) {
+    page += "\n## " + std::to_string(++number) + ". " + step.title + "\n\n" + step.text + "\n";
+    for (const lesson::Check& check : step.checks) {
+      const std::string* const question = lesson::questionOf(check);
+      if (question == nullptr) continue;
+      page += "\n**" + *question + "**";
+      const auto* const choice = std::get_if<lesson::AskChoice>(&check.task);
+      if (choice == nullptr) page += " \\_\\_\\_\\_\\_\\_\\_\\_";
+      page += "\n\n";
+      if (choice != nullptr) {
+        for (const std::string& one : choice->choices) page += "☐ " + one + "  \n";  // a break of the line
+      }
+    }
+  }
+  return QString::fromStdString(page);
 }
 
 }  // namespace underact::gui

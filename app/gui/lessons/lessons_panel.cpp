@@ -15,15 +15,18 @@
 
 #include "app/gui/kit/actions.h"
 #include "app/gui/kit/file_question.h"
+#include "app/gui/kit/page_print.h"
 #include "app/gui/kit/page_view.h"
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/tight_layout.h"
 #include "app/gui/kit/words.h"
+#include "app/gui/lessons/class_results.h"
 #include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lesson_list.h"
 #include "app/gui/lessons/lesson_page.h"
 #include "app/gui/lessons/lesson_run.h"
 #include "app/gui/lessons/lesson_words.h"
+#include "app/gui/lessons/new_student.h"
 #include "app/gui/model/scene_library.h"
 
 namespace underact::gui {
@@ -42,6 +45,7 @@ LessonsPanel::LessonsPanel(const LessonParts& parts, QWidget* parent)
   recent_->set(QSettings().value(kRecent).toStringList());
   addActions();
   addStepActions();
+  addClassActions();
   pages_->addWidget(list_ = new LessonList([this]() -> const std::vector<lesson::Lesson>& { return shipped(); },
                                            *recent_, parts_.actions, pages_));  // its button is an action's
   pages_->addWidget(page_ = new LessonPage(*run_, parts_.actions, pages_));
@@ -137,12 +141,72 @@ void LessonsPanel::addStepActions() {
                      [this](const QVariantList&) { return step(1); });
   parts_.actions.add({"lesson.back", tr("&Back"), QKeySequence("F7"), tr("Goes to the previous step of the lesson.")},
                      [this](const QVariantList&) { return step(-1); });
-  parts_.actions.add({"lesson.hint", tr("&Show me"), {}, tr("Shows a hint for this step, below its text.")},
+  parts_.actions.add({"lesson.hint", tr("&Hint"), {}, tr("Shows a hint for this step, below its text.")},
                      [this](const QVariantList&) {
                        const bool shown = page_->showHint();
                        enableActions();
                        return shown;
                      });
+}
+
+void LessonsPanel::addClassActions() {
+  const auto paper = [this] {
+    return PaperPage{QString::fromStdString(run_->lesson().title), lessonMarkdown(run_->lesson()),
+                     QFileInfo(run_->path()).absolutePath()};
+  };
+  parts_.actions.add({"lesson.print", tr("&Print…"), {}, tr("Prints all steps of the lesson with their questions.")},
+                     [this, paper](const QVariantList&) {
+                       if (run_->isOn()) askToPrint(this, "lesson", paper());
+                       return run_->isOn();
+                     });
+  parts_.actions.add(
+      {"lesson.pdf", tr("Save as P&DF…"), {}, tr("Saves all steps of the lesson with their questions as PDF.")},
+      [this, paper](const QVariantList&) {
+        if (run_->isOn())
+          askToSavePdf(this, "lesson", paper(), [this](const QString& path) {
+            parts_.actions.perform("notice.tell", tr("Saved as %1.").arg(QFileInfo(path).fileName()), path);
+          });
+        return run_->isOn();
+      });
+  parts_.actions.add({"lesson.new_student",
+                      tr("New st&udent…"),
+                      {},
+                      tr("Clears name, progress and ticks for the next student; the report is kept.")},
+                     [this](const QVariantList&) {
+                       askForNewStudent();
+                       return true;
+                     });
+  parts_.actions.add(
+      {"lesson.results", tr("&Class results…"), {}, tr("Makes one table of the reports in a folder, also for Moodle.")},
+      [this](const QVariantList& folder) {
+        showClassResults(window(), folder.value(0).toString());
+        return true;
+      });
+}
+
+/// But for what changes by itself.
+lesson::Report LessonsPanel::doneSoFar() const {
+  lesson::Report report = run_->report(page_->typedName(), {});
+  report.minutes = 0.0;
+  return report;
+}
+
+void LessonsPanel::askForNewStudent() {
+  const bool is_kept = !run_->isOn() || isEmpty(doneSoFar()) || reportData(doneSoFar()) == saved_;
+  const QString report = is_kept ? QString() : newReportFile(reportFileName(*run_, page_->typedName()));
+  gui::askForNewStudent(this, report, [this, report] { beginStudent(report); });
+}
+
+/// The lesson begins again, as the next student does it, too. report: where it is saved first; empty: nowhere.
+bool LessonsPanel::beginStudent(const QString& report) {
+  if (!report.isEmpty()) makeReportFolder();
+  if (!report.isEmpty() && !saveReport(report)) return false;  // nothing is lost
+  forgetSolved();
+  page_->clearName();
+  saved_.clear();
+  if (run_->isOn() && !start(run_->path())) run_->leave();
+  list_->rebuild();
+  return true;
 }
 
 bool LessonsPanel::start(const QString& path) {
@@ -196,7 +260,8 @@ void LessonsPanel::enableActions() {
   const bool on = run_->isOn();
   const QWidget* const focus = window()->focusWidget();
   const bool had_focus = on && page_ != nullptr && page_->isAncestorOf(focus);
-  for (const char* name : {"lesson.leave", "lesson.report"}) parts_.actions.find(name)->setEnabled(on);
+  for (const char* name : {"lesson.leave", "lesson.report", "lesson.print", "lesson.pdf"})
+    parts_.actions.find(name)->setEnabled(on);
   parts_.actions.find("lesson.back")->setEnabled(on && run_->at() > 0);
   parts_.actions.find("lesson.next")->setEnabled(on && run_->at() + 1 < run_->lesson().steps.size());
   const lesson::Lesson* const after = on ? lessonAfter(shipped(), run_->path()) : nullptr;
@@ -262,12 +327,13 @@ bool LessonsPanel::saveReport(const QString& path) {
   const bool saved = file.open(QIODevice::WriteOnly) && file.write(page) == page.size() && file.commit();
   page_->setNote(saved ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path))
                        : tr("Not saved: %1. Choose another folder.").arg(file.errorString()));
+  if (saved) saved_ = reportData(doneSoFar());
   if (saved) parts_.actions.perform("notice.tell", tr("Report saved as %1.").arg(QFileInfo(path).fileName()), path);
   return saved;
 }
 
 void LessonsPanel::chooseReport() {
-  const QString name = QFileInfo(run_->path()).completeBaseName() + "-report.html";
+  const QString name = reportFileName(*run_, page_->typedName());
   askWhereToSave(this, "dialog.save_lesson_report", tr("Save the report"), name,
                  tr("Web pages (*.html);;All files (*)"), [this](const QString& path) { saveReport(path); });
 }

@@ -29,6 +29,10 @@ class LessonsPanel : public Panel {
  private:
   void addActions();
   void addStepActions();
+  void addClassActions();
+  void askForNewStudent();
+  bool beginStudent(const QString& report);
+  lesson::Report doneSoFar() const;
   bool start(const QString& path);
   bool step(int by);
   bool saveReport(const QString& path);
@@ -53,6 +57,7 @@ class LessonsPanel : public Panel {
   QStackedWidget* pages_;
   LessonList* list_ = nullptr;
   LessonPage* page_ = nullptr;
+  std::string saved_;          // what the report that was saved last says of doneSoFar()
   std::vector<bool> reached_;  // of the targets in the view
   bool hides_counts_ = false, is_new_step_ = false;
 };

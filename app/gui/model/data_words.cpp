@@ -14,6 +14,7 @@ void translate(const char* context, std::string& text) {
 void translate(lesson::Check& check) {
   constexpr const char* kContext = "lesson text";
   translate(kContext, check.say);
+  for (lesson::Misconception& one : check.misconceptions) translate(kContext, one.name);
   if (auto* ask = std::get_if<lesson::AskNumber>(&check.task)) translate(kContext, ask->question);
   if (auto* ask = std::get_if<lesson::AskChoice>(&check.task)) {
     translate(kContext, ask->question);

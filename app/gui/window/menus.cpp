@@ -162,9 +162,10 @@ void buildMenus(QMainWindow* window, Actions& actions, RecentFiles& recent, cons
                                {"session.record", "session.mark", "-", "sessions.find", "sessions.export",
                                 "sessions.plots", "sessions.follow", "sessions.rerun", "sessions.show", "sessions.edit",
                                 "sessions.recover", "sessions.delete", "-", "sessions.folder"});
-  QMenu* const lessons = fill(named(new QMenu(tr("Less&ons"), bar), "menu.lessons"),
-                              {"lesson.all", "lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint",
-                               "lesson.after", "-", "lesson.report", "lesson.leave"});
+  QMenu* const lessons = fill(
+      named(new QMenu(tr("Less&ons"), bar), "menu.lessons"),
+      {"lesson.all", "lesson.open", "-", "lesson.back", "lesson.next", "lesson.hint", "lesson.after", "-",
+       "lesson.report", "lesson.print", "lesson.pdf", "lesson.leave", "-", "lesson.new_student", "lesson.results"});
   for (QMenu* const menu : {sessions, replay, lessons, view}) bar->addMenu(menu);
   fill(named(bar->addMenu(tr("&Help")), "menu.help"),
        {"help.guide", "help.find", "help.welcome", "help.tour", "help.keys", "help.figures", "-", "help.about"});
