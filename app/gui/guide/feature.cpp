@@ -17,7 +17,9 @@ FeatureRow guideFeature() {
                     {"dialog.guide_problems", "install"},
                     {"dialog.notebook", "python#notebooks"},
                     {"dialog.notebook_problems", "python#notebooks"}},
-          .make = makeGuide};
+          .make = makeGuide,
+          .opens = FileKind::Notebook,
+          .open_action = "notebook.open"};
 }
 
 }  // namespace underact::gui

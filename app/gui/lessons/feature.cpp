@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 
-#include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lessons_panel.h"
 
 namespace underact::gui {
@@ -19,7 +18,7 @@ FeatureRow lessonsFeature() {
       .pages = {{"panel.lessons", "lessons"},
                 {"dialog.open_lesson", "lessons"},
                 {"dialog.save_lesson_report", "lessons#the-report"}},
-      .opens = isLessonFile,
+      .opens = FileKind::Lesson,
       .open_action = "lesson.open"};
 }
 
