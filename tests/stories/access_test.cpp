@@ -60,7 +60,6 @@ const QSet<QString> kQtsOwn{"dialog.save_plot",
                             "dialog.not_saved",
                             "dialog.open",
                             "dialog.open_lesson",
-                            "dialog.open_problems",
                             "dialog.registration_sheet",
                             "dialog.remove_session",
                             "dialog.replay_files",
@@ -172,6 +171,9 @@ TEST(AccessStory, SoDoesEveryDialogAndWizard) {
     wrong << wrongInWindows(story, seen);
   }
   story.perform("scene.open", temporaryFile("typos.json", R"({"underact_scene": 1, "title": "Typos"})"));
+  story.settle();
+  wrong << wrongInWindows(story, seen);
+  story.perform("scene.open", temporaryFile("manual.pdf", "%PDF-1.7"));
   story.settle();
   wrong << wrongInWindows(story, seen);
   story.perform("scene.arm", temporaryFile("arm.json", R"({"underact_arm": 1, "name": "typos"})"));
