@@ -13,6 +13,7 @@
 #include "app/gui/kit/application.h"
 #include "app/gui/kit/focus_style.h"
 #include "app/gui/model/document.h"
+#include "app/gui/model/file_kind.h"
 #include "app/gui/model/language.h"
 #include "app/gui/model/scene_library.h"
 #include "app/gui/model/simulated_host.h"
@@ -34,9 +35,8 @@
 namespace underact::gui {
 namespace {
 
-// The scene on the command line, else the last one, else the sphere.
-QString sceneToOpen(const QString& asked, bool is_scene) {
-  if (!asked.isEmpty() && is_scene) return asked;
+// The last scene, else the sphere.
+QString sceneOfLastTime() {
   const QString last = readSettings().last_scene;
   return QFileInfo::exists(last) ? last : firstScene(shippedScenes());
 }
@@ -100,9 +100,10 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
     });
   }
   window.show();
-  const QString asked = QString::fromStdString(options.scene);
-  const QString opener = asked.isEmpty() ? QString() : openerOf(asked, window.rows());
-  const QString scene = sceneToOpen(asked, opener.isEmpty());
+  const QString asked = QString::fromStdString(options.file);
+  const Result<FileKind> kind = kindOfFile(options.file);
+  const bool is_scene = kind && kind.value() == FileKind::Scene;
+  const QString scene = is_scene ? asked : sceneOfLastTime();
   if (!scene.isEmpty()) window.actions().perform("scene.open", scene);
   // Nobody holds a simulated arm, so it may push at once. A real one waits for Start.
   if (simulated.host->device().simulated && !window.actions().perform("session.start")) {
@@ -114,7 +115,7 @@ int runWindow(const options::WindowOptions& options, const Began& began) {
   }
   const QString device = options.device.empty() ? readSettings().device : QString::fromStdString(options.device);
   if (!device.isEmpty() && device != "simulated") window.actions().perform("devices.use", device);
-  if (!opener.isEmpty()) window.actions().perform(opener, asked);
+  if (!asked.isEmpty() && !is_scene) window.actions().perform("scene.open", asked);  // beside the scene, or refused
   if (options.visitors) {
     QStringList scenes;
     for (const std::string& path : options.visitor_scenes) {

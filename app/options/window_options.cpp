@@ -50,9 +50,11 @@ Program windowGrammar(WindowOptions& options) {
   program.footer("Without an arm it simulates one. underact-cli is the program without a window.");
   program.version(std::string("underact ") + kVersion);
   program
-      .option("file", options.scene,
-              "A scene (.json); a mesh (.stl, .obj, .ply, .off) or the points of a curve (.txt, .csv, .xyz), which is "
-              "put into a scene; or a recorded session (.h5), which is replayed")
+      .option(
+          "file", options.file,
+          "A scene, lesson or arm file (.json, .urdf); a mesh (.stl, .obj, .ply, .off) or the points of a curve "
+          "(.txt, .csv, .xyz), which is put into a scene; a recorded session (.h5), which is replayed; or a notebook "
+          "(.ipynb). Its content decides, not its name")
       .word("FILE");
   const Option picture =
       program.option("--picture", options.picture, "Draw the 3D view of this scene, without a window, and quit")

@@ -10,7 +10,7 @@ namespace underact::options {
 
 /// What the command line asks of the window.
 struct WindowOptions {
-  std::string scene;    // to open, or a recorded session; empty: the last one, or the sphere
+  std::string file;     // to open; empty: the last scene, or the sphere
   std::string picture;  // a scene to draw into out, without a window
   std::string film;     // a scene or session to film into out, without a window
   std::string out;

@@ -183,8 +183,4 @@ Result<Lesson> readLessonFile(const std::string& path) {
   return readLesson(text.value(), path);
 }
 
-bool isLessonText(std::string_view text) {
-  return text.find("\"underact_lesson\"") != std::string_view::npos;
-}
-
 }  // namespace underact::lesson

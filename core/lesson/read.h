@@ -14,9 +14,6 @@ Result<Lesson> readLesson(std::string_view text, const std::string& file_name);
 /// Reads a lesson from a file; one that cannot be read is a problem with line 0.
 Result<Lesson> readLessonFile(const std::string& path);
 
-/// Whether the text of a JSON file is meant as a lesson, valid or not.
-bool isLessonText(std::string_view text);
-
 /// Checks that the scenes named by the steps exist, are valid, and have what the checks measure; each problem at its
 /// place in the lesson. scene_folder: of the scenes that ship with the program. Empty: no problem.
 Problems checkScenes(const Lesson& lesson, const std::string& scene_folder);

@@ -207,6 +207,50 @@ z [mm]</translation>
         <translation>Störung</translation>
     </message>
     <message>
+        <source>Drop to open the scene</source>
+        <translation>Loslassen, um die Szene zu öffnen</translation>
+    </message>
+    <message>
+        <source>Drop to replay the session</source>
+        <translation>Loslassen, um die Sitzung abzuspielen</translation>
+    </message>
+    <message>
+        <source>Drop to give the scene this arm</source>
+        <translation>Loslassen, um der Szene diesen Arm zu geben</translation>
+    </message>
+    <message>
+        <source>Drop to hold the stylus to this mesh</source>
+        <translation>Loslassen, um den Stift an diesem Netz zu halten</translation>
+    </message>
+    <message>
+        <source>Drop to hold the stylus to this curve</source>
+        <translation>Loslassen, um den Stift an dieser Kurve zu halten</translation>
+    </message>
+    <message>
+        <source>Drop to begin the lesson</source>
+        <translation>Loslassen, um die Lektion zu beginnen</translation>
+    </message>
+    <message>
+        <source>Drop to look at these figures</source>
+        <translation>Loslassen, um diese Abbildungen anzusehen</translation>
+    </message>
+    <message>
+        <source>Drop to open the notebook in another program</source>
+        <translation>Loslassen, um das Notebook in einem anderen Programm zu öffnen</translation>
+    </message>
+    <message>
+        <source>All that Underact opens (%1);;All files (*)</source>
+        <translation>Alles, was Underact öffnet (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Drop one file at a time.</source>
+        <translation>Ziehen Sie immer nur eine Datei auf das Fenster.</translation>
+    </message>
+    <message>
+        <source>This is not on this computer. Download it, and drop the file.</source>
+        <translation>Das liegt nicht auf diesem Computer. Laden Sie es herunter und ziehen Sie dann die Datei auf das Fenster.</translation>
+    </message>
+    <message>
         <source>Scenes (*.json);;All files (*)</source>
         <translation>Szenen (*.json);;Alle Dateien (*)</translation>
     </message>
@@ -299,6 +343,10 @@ z [mm]</translation>
 %1</source>
         <translation>Es öffnet eine eigene Kopie, in der Ihre Änderungen bleiben:
 %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Open my copy</source>
@@ -3448,6 +3496,46 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Auf diesem Arm läuft eine Messung. Beenden Sie sie und wählen Sie dann den Arm.</translation>
     </message>
     <message>
+        <source>This is a file of Underact with the key %1. The window does not open it; the guide says what it is for.</source>
+        <translation>Das ist eine Datei von Underact mit dem Schlüssel %1. Das Fenster öffnet sie nicht; wozu sie dient, steht im Handbuch.</translation>
+    </message>
+    <message>
+        <source>This JSON is none of Underact's: a scene has the key %1, an arm file %2 and a lesson %3.</source>
+        <translation>Dieses JSON ist nicht von Underact: Eine Szene hat den Schlüssel %1, eine Armdatei %2 und eine Lektion %3.</translation>
+    </message>
+    <message>
+        <source>This XML begins with the element %1. Underact opens only URDF, which begins with %2.</source>
+        <translation>Dieses XML beginnt mit dem Element %1. Underact öffnet nur URDF, das mit %2 beginnt.</translation>
+    </message>
+    <message>
+        <source>This is a xacro file, from which URDF is made. Run "xacro FILE &gt; robot.urdf", and open robot.urdf.</source>
+        <translation>Das ist eine Xacro-Datei, aus der URDF erst gemacht wird. Rufen Sie „xacro DATEI &gt; robot.urdf“ auf und öffnen Sie robot.urdf.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>binary data of an unknown format</source>
+        <translation>eine Binärdatei von unbekanntem Format</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>This is a text without the points of a curve: no line begins with a number.</source>
+        <translation>Das ist ein Text ohne Punkte einer Kurve: Keine Zeile beginnt mit einer Zahl.</translation>
+    </message>
+    <message>
+        <source>This is a folder. Open one of the files in it.</source>
+        <translation>Das ist ein Ordner. Öffnen Sie eine der Dateien darin.</translation>
+    </message>
+    <message>
+        <source>a file for Underact</source>
+        <translation>eine Datei für Underact</translation>
+    </message>
+    <message>
         <source>Text typed during the recording is not in the file. Edit the details of the session below.</source>
         <translation>Was während der Aufzeichnung eingegeben wurde, steht nicht in der Datei. Ändern Sie die Angaben zur Sitzung unten.</translation>
     </message>
@@ -3960,10 +4048,6 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Der Typ %1 ist nicht bekannt. Ist „%2“ gemeint?</translation>
     </message>
     <message>
-        <source>The file is empty.</source>
-        <translation>Die Datei ist leer.</translation>
-    </message>
-    <message>
         <source>An element is not closed, or closed by another name, here or above.</source>
         <translation>Ein Element ist nicht geschlossen oder mit einem anderen Namen geschlossen, hier oder weiter oben.</translation>
     </message>
@@ -4092,16 +4176,44 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Die Kraft ist aus.</translation>
     </message>
     <message>
-        <source>This is a pointer of Git LFS, not the file itself. Get it with "git lfs pull".</source>
-        <translation>Dies ist ein Zeiger von Git LFS, nicht die Datei selbst. Holen Sie sie mit "git lfs pull".</translation>
+        <source>This is a %1 archive. Unpack it, and open a file that is in it.</source>
+        <translation>Das ist ein %1-Archiv. Entpacken Sie es und öffnen Sie eine Datei daraus.</translation>
+    </message>
+    <message>
+        <source>This is a %1 model. Save it as STL or OBJ with the program that it comes from, and open that file.</source>
+        <translation>Das ist ein %1-Modell. Speichern Sie es mit dem Programm, aus dem es stammt, als STL oder OBJ und öffnen Sie diese Datei.</translation>
+    </message>
+    <message>
+        <source>a %1 document</source>
+        <translation>ein Dokument (%1)</translation>
+    </message>
+    <message>
+        <source>a picture (%1)</source>
+        <translation>ein Bild (%1)</translation>
+    </message>
+    <message>
+        <source>a film (%1)</source>
+        <translation>ein Film (%1)</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>ein Programm</translation>
+    </message>
+    <message>
+        <source>This text is in UTF-16. Save it as UTF-8.</source>
+        <translation>Dieser Text ist in UTF-16. Speichern Sie ihn als UTF-8.</translation>
     </message>
     <message>
         <source>This is a web page, not the file itself. Download the file again.</source>
         <translation>Dies ist eine Webseite, nicht die Datei selbst. Laden Sie die Datei noch einmal herunter.</translation>
     </message>
     <message>
-        <source>This file has the format %1, which is not read here. Unpack it or convert it: a mesh to STL or OBJ, a text to UTF-8.</source>
-        <translation>Diese Datei hat das Format %1, das hier nicht gelesen wird. Entpacken Sie sie, oder wandeln Sie sie um: ein Dreiecksnetz in STL oder OBJ, einen Text in UTF-8.</translation>
+        <source>This is a pointer of Git LFS, not the file itself. Get it with "git lfs pull".</source>
+        <translation>Dies ist ein Zeiger von Git LFS, nicht die Datei selbst. Holen Sie sie mit "git lfs pull".</translation>
+    </message>
+    <message>
+        <source>This is %1. Underact opens scenes, sessions, arm files, meshes, points of curves, lessons, lists of figures and notebooks.</source>
+        <translation>Das ist %1. Underact öffnet Szenen, Sitzungen, Armdateien, Netze, Punkte von Kurven, Lektionen, Listen von Abbildungen und Notebooks.</translation>
     </message>
     <message>
         <source>This is not a rotation matrix: its rows must have length 1, be at right angles, and form a right-handed frame.</source>
@@ -9795,6 +9907,14 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>Stoppt den Servo: Die Kraft geht auf null. Umschalt+Esc tut das auch in einem offenen Menü oder Dialog.</translation>
     </message>
     <message>
+        <source>File not opened</source>
+        <translation>Datei nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>“%1” was not opened.</source>
+        <translation>„%1“ wurde nicht geöffnet.</translation>
+    </message>
+    <message>
         <source>Scene saved as %1.</source>
         <translation>Szene gespeichert als %1.</translation>
     </message>
@@ -9807,8 +9927,8 @@ seiner Grenze oder den Arm von einer Singularität fernzuhalten, während das We
         <translation>&amp;Datei öffnen …</translation>
     </message>
     <message>
-        <source>Opens a scene file.</source>
-        <translation>Öffnet eine Szenendatei.</translation>
+        <source>Opens a scene, session, arm file, mesh, curve, lesson, list of figures or notebook.</source>
+        <translation>Öffnet eine Szene, Sitzung, Armdatei, Kurve, Lektion, ein Netz, eine Liste von Abbildungen oder ein Notebook.</translation>
     </message>
     <message>
         <source>&amp;Save tuned scene as…</source>
@@ -11625,6 +11745,21 @@ und %2 weitere</translation>
     <message>
         <source>Drag the stylus with the mouse.</source>
         <translation>Ziehen Sie den Stift mit der Maus.</translation>
+    </message>
+</context>
+<context>
+    <name>underact::gui::DropOverlay</name>
+    <message>
+        <source>A file over the window</source>
+        <translation>Eine Datei über dem Fenster</translation>
+    </message>
+    <message>
+        <source>What dropping the file does</source>
+        <translation>Was das Loslassen der Datei bewirkt</translation>
+    </message>
+    <message>
+        <source>The file</source>
+        <translation>Die Datei</translation>
     </message>
 </context>
 <context>
@@ -15625,8 +15760,8 @@ und %2 weitere</translation>
         <translation>Dateien von %1 werden geladen</translation>
     </message>
     <message>
-        <source>Open a scene</source>
-        <translation>Szene öffnen</translation>
+        <source>Open a file</source>
+        <translation>Eine Datei öffnen</translation>
     </message>
     <message>
         <source>Scene not saved</source>

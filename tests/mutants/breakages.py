@@ -170,8 +170,8 @@ BREAKAGES = [
     Breakage(
         says="every file is opened by the first feature that opens any",
         file="app/gui/feature/feature.cpp",
-        old="row.opens != nullptr && row.opens(path)",
-        new="row.opens != nullptr && !path.isEmpty()",
+        old="row.open_action != nullptr && row.opens == kind",
+        new="row.open_action != nullptr",
         program="gui_feature_test",
         only="Opener.*",
     ),

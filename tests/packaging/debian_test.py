@@ -144,8 +144,9 @@ class Debian(unittest.TestCase):
         self.assertIn("<image", metainfo)
         run("update-mime-database", share / "mime")
         globs = (share / "mime/globs2").read_text()
-        for name in ["scene+json:*.underact.json", "session:*.underact.h5"]:
-            self.assertIn("application/vnd.underact." + name, globs)
+        for name in ["vnd.underact.scene+json:*.underact.json", "vnd.underact.session:*.underact.h5",
+                     "x-urdf+xml:*.urdf"]:
+            self.assertIn("application/" + name, globs)
         icons = share / "icons/hicolor/scalable"
         for icon in ["apps/underact", "mimetypes/application-vnd.underact.scene+json",
                      "mimetypes/application-vnd.underact.session"]:

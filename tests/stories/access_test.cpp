@@ -183,6 +183,9 @@ TEST(AccessStory, SoDoesEveryDialogAndWizard) {
   story.perform("scene.open", temporaryFile("typos.json", R"({"underact_scene": 1, "title": "Typos"})"));
   story.settle();
   wrong << wrongInWindows(story, seen);
+  story.perform("scene.open", temporaryFile("manual.pdf", "%PDF-1.7"));
+  story.settle();
+  wrong << wrongInWindows(story, seen);
   story.perform("scene.arm", temporaryFile("arm.json", R"({"underact_arm": 1, "name": "typos"})"));
   story.settle();
   wrong << wrongInWindows(story, seen);

@@ -127,7 +127,7 @@ TEST(MeshStory, ABrokenFileGivesASentenceAndTheSceneRunsOn) {
   const std::uint64_t before = story.host().revision();
   drop(story, temporaryFile("broken.stl", QByteArray("solid of nothing\nthat anybody could read\n")));
   ASSERT_TRUE(waitForMeshes(story));
-  auto* box = story.find<QMessageBox>("dialog.mesh_problems");
+  auto* box = story.find<QMessageBox>("dialog.open_problems");
   ASSERT_NE(box, nullptr);
   EXPECT_FALSE(box->isModal());
   EXPECT_FALSE(box->informativeText().isEmpty());
@@ -141,7 +141,7 @@ TEST(MeshStory, WhatWasSaidOfAFileThatFailedGoesWithTheNextOne) {
   Story story("02_sphere");
   drop(story, temporaryFile("broken.stl", "solid nothing"));
   ASSERT_TRUE(waitForMeshes(story));
-  QPointer<QWidget> shown = story.find("dialog.mesh_problems");
+  QPointer<QWidget> shown = story.find("dialog.open_problems");
   ASSERT_NE(shown, nullptr);
   drop(story, temporaryFile("good.stl", ballStl(20.0, Vec3::Zero(), 24, 12)));
   ASSERT_TRUE(waitForMeshes(story));

@@ -8,7 +8,7 @@ namespace underact::gui::test {
 TEST(Parts, TheCommandLineIsUnderstoodOrSaidToBeWrong) {
   using options::parseWindowOptions;
   EXPECT_EQ(parseWindowOptions({"a.json", "--rate", "2000"}).rate_hz, 2000);
-  EXPECT_EQ(parseWindowOptions({"a.json"}).scene, "a.json");
+  EXPECT_EQ(parseWindowOptions({"a.json"}).file, "a.json");
   EXPECT_EQ(parseWindowOptions({"--help"}).exit, 0);
   EXPECT_NE(parseWindowOptions({"--help"}).given.find("--scheduling"), std::string::npos);
   EXPECT_EQ(parseWindowOptions({"--rate", "10000"}).rate_hz, 10000);

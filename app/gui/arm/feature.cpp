@@ -26,9 +26,12 @@ Panel* makeArmPanel(const FeatureParts& parts, QWidget* parent) {
     actions->perform("notice.tell", QObject::tr("Some meshes of the arm are not drawn. The panel Arm says why."), "");
   };
   QObject::connect(&parts.view, &SceneView::armRead, panel, tell);
-  parts.actions.addCommand("scene.arm", [box](const QVariantList& arm) {
-    if (!arm.isEmpty()) return box->take(arm.first().toString());
-    box->chooseFile();
+  parts.actions.addCommand("scene.arm", [box, view = &parts.view](const QVariantList& arm) {
+    if (!arm.isEmpty() && !box->take(arm.first().toString())) return false;
+    if (arm.isEmpty())
+      box->chooseFile();
+    else
+      view->moveCamera(Camera::Fit);
     return true;
   });
   return panel;
@@ -43,7 +46,7 @@ FeatureRow armFeature() {
           .pages = {{"panel.arm", "window#arm"},
                     {"dialog.scene_arm", "arm_files#in-a-scene"},
                     {"dialog.scene_arm_problems", "arm_files#in-a-scene"}},
-          .opens = isArmFileName,
+          .opens = FileKind::Arm,
           .open_action = "scene.arm"};
 }
 

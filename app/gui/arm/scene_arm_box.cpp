@@ -13,7 +13,6 @@
 #include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/tight_layout.h"
 #include "app/gui/model/document.h"
-#include "core/json/text.h"
 #include "core/scene/load_meshes.h"
 #include "core/scene/scene_arm.h"
 
@@ -25,13 +24,6 @@ QString arm(const scene::Description& scene) {
 }
 
 }  // namespace
-
-bool isArmFileName(const QString& path) {
-  if (path.endsWith(".urdf", Qt::CaseInsensitive)) return true;
-  if (!path.endsWith(".json", Qt::CaseInsensitive)) return false;
-  const Result<std::string> text = json::readTextFile(path.toStdString(), "an arm", scene::kLargestArmFile);
-  return text && text.value().find("\"underact_arm\"") != std::string::npos;
-}
 
 Result<scene::Description> withArm(scene::Description scene, const QString& name_or_path) {
   scene.arm_text.clear();

@@ -10,9 +10,6 @@ namespace underact::gui {
 
 class Document;
 
-/// Whether a file is an arm file: a table or axes (JSON), or URDF. JSON is known by its content.
-bool isArmFileName(const QString& path);
-
 /// The scene with another arm: one that ships, by name, or the file at that path. Problems: its file's; the scene does
 /// not fit it.
 Result<scene::Description> withArm(scene::Description scene, const QString& name_or_path);

@@ -53,7 +53,7 @@ void makeCurve(const FeatureParts& parts, ServoListeners&) {
 FeatureRow curveFeature() {
   return {.pages = {{"dialog.add_curve", "curves"}, {"dialog.curve", "curves"}, {"dialog.curve_problems", "curves"}},
           .make = makeCurve,
-          .opens = [](const QString& path) { return endsWithOne(kCurveSuffixes, path); },
+          .opens = FileKind::Curve,
           .open_action = "curve.add"};
 }
 

@@ -2,9 +2,9 @@
 
 namespace underact::gui {
 
-QString openerOf(const QString& path, const std::vector<FeatureRow>& rows) {
+QString openerOf(FileKind kind, const std::vector<FeatureRow>& rows) {
   for (const FeatureRow& row : rows) {
-    if (row.opens != nullptr && row.opens(path)) return row.open_action;
+    if (row.open_action != nullptr && row.opens == kind) return row.open_action;
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include "app/gui/feature/help_page.h"
 #include "app/gui/feature/panel.h"
 #include "app/gui/feature/parts.h"
+#include "app/gui/model/file_kind.h"
 
 namespace underact::gui {
 
@@ -29,12 +30,12 @@ struct FeatureRow {
   std::vector<HelpPage> pages = {};
   /// Called before any panel exists: adds its actions and its followers besides panels. Null: it has only panels.
   void (*make)(const FeatureParts& parts, ServoListeners& listeners) = nullptr;
-  /// Whether a file of that name belongs to it, and the action that opens it; null: it opens no files.
-  bool (*opens)(const QString& path) = nullptr;
+  /// The action that opens files of a kind; null: it opens none.
+  FileKind opens = FileKind::Scene;
   const char* open_action = nullptr;
 };
 
-/// The action that opens a file of that name; empty: it is a scene.
-QString openerOf(const QString& path, const std::vector<FeatureRow>& rows);
+/// The action that opens files of that kind; empty: no feature does, as with scenes.
+QString openerOf(FileKind kind, const std::vector<FeatureRow>& rows);
 
 }  // namespace underact::gui

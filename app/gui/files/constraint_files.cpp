@@ -16,15 +16,12 @@
 
 namespace underact::gui {
 
-bool endsWithOne(const QStringList& suffixes, const QString& path) {
-  return suffixes.contains(QFileInfo(path).suffix().toLower());
-}
-
 ConstraintFiles::ConstraintFiles(ConstraintFileKind kind, Document& document, SceneFiles& scenes, LoadStrip& loads,
                                  QWidget* window)
     : QObject(window), kind_(std::move(kind)), document_(document), scenes_(scenes), loads_(loads), window_(window) {}
 
 void ConstraintFiles::addAction(Actions& actions, const ActionInfo& info) {
+  connect(this, &ConstraintFiles::added, &actions, [&actions] { actions.perform("view.fit"); });
   actions.add(info, [this](const QVariantList& path) {
     if (path.isEmpty())
       choose();
@@ -55,21 +52,25 @@ void ConstraintFiles::load(const QString& path, const ConstraintFileKind::Read& 
 }
 
 void ConstraintFiles::ask(const QString& name, AddDialog* dialog) {
-  connect(dialog, &AddDialog::addAsked, this, [this, name, dialog] {
-    take(name, dialog, [this, name](AddDialog& asked, const scene::Constraint& constraint) {
+  const auto tell = [this](bool is_added) {
+    if (is_added) emit added();
+    return is_added;
+  };
+  connect(dialog, &AddDialog::addAsked, this, [this, name, dialog, tell] {
+    take(name, dialog, [this, name, tell](AddDialog& asked, const scene::Constraint& constraint) {
       const scene::Description with = scene::withAdded(document_.scene(), document_.throughMirror(constraint));
       const Problems problems = document_.edit(with, kind_.edit.arg(name), document_.newGesture());
       asked.setRefusal(sentencesOf(problems));
-      return problems.empty();
+      return tell(problems.empty());
     });
   });
-  connect(dialog, &AddDialog::newSceneAsked, this, [this, name, dialog] {
-    take(name, dialog, [this, name](AddDialog&, const scene::Constraint& constraint) {
+  connect(dialog, &AddDialog::newSceneAsked, this, [this, name, dialog, tell] {
+    take(name, dialog, [this, name, tell](AddDialog&, const scene::Constraint& constraint) {
       scene::Description scene;
       scene.title = constraint.name;
       scene.about = kind_.about.arg(name).toStdString();
       scene.constraints.push_back(constraint);
-      return scenes_.openLoaded(std::move(scene));
+      return tell(scenes_.openLoaded(std::move(scene)));
     });
   });
   dialog->show();

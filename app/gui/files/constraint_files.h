@@ -15,9 +15,6 @@ class Document;
 class LoadStrip;
 class SceneFiles;
 
-/// By the ending of its name; its content is checked when it is loaded.
-bool endsWithOne(const QStringList& suffixes, const QString& path);
-
 /// What distinguishes the kinds of files whose content becomes a constraint.
 struct ConstraintFileKind {
   /// Makes the dialog about the content.
@@ -43,6 +40,9 @@ class ConstraintFiles : public QObject {
   void addAction(Actions& actions, const ActionInfo& info);
   /// Reads a file and opens the dialog on it; read: another reader than that of its kind if it is only shown.
   void load(const QString& path, const ConstraintFileKind::Read& read);
+
+ signals:
+  void added();  // to the scene, or to a new one
 
  private:
   /// What a button of the dialog does with the constraint; false: the dialog stays open.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/gui/files/load_strip.h"
+#include "app/gui/files/opening.h"
 #include "app/gui/files/tuned_scenes.h"
 #include "app/gui/kit/file_question.h"
 #include "app/gui/kit/problems_dialog.h"
@@ -131,9 +132,9 @@ bool SceneFiles::openLoaded(scene::Description scene) {
 }
 
 void SceneFiles::chooseAndOpen() {
-  askForFile(window_, "dialog.open", tr("Open a scene"),
+  askForFile(window_, "dialog.open", tr("Open a file"),
              QFileInfo(document_.path().isEmpty() ? sceneFolder() + "/." : document_.path()).absolutePath(),
-             filterText(), [this](const QString& path) { open(path); });
+             filterOfAll(), [this](const QString& path) { emit chosen(path); });
 }
 
 bool SceneFiles::saveAs(const QString& path) {

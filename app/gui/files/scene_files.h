@@ -26,6 +26,7 @@ class SceneFiles : public QObject {
   bool open(const QString& path);
   /// A scene whose meshes are loaded, with or without a file; asks the same questions.
   bool openLoaded(scene::Description scene);
+  /// Asks for any file that the window opens, see chosen().
   void chooseAndOpen();
   bool saveAs(const QString& path);
   void chooseAndSave();
@@ -34,6 +35,7 @@ class SceneFiles : public QObject {
   bool settleEdits();
 
  signals:
+  void chosen(const QString& path);  // a file to be opened
   void saved(const QString& path);
   void tunedAgain();  // a scene was opened as it was left
 

@@ -14,7 +14,10 @@ void makeGallery(const FeatureParts& parts, ServoListeners&) {
 }  // namespace
 
 FeatureRow galleryFeature() {
-  return {.pages = {{"dialog.figures", "python#the-figures-of-the-thesis"}}, .make = makeGallery};
+  return {.pages = {{"dialog.figures", "python#the-figures-of-the-thesis"}},
+          .make = makeGallery,
+          .opens = FileKind::Figures,
+          .open_action = "figures.open"};
 }
 
 }  // namespace underact::gui

@@ -1,6 +1,7 @@
 #include "app/gui/gallery/gallery_actions.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QWidget>
 
 #include "app/gui/gallery/gallery_dialog.h"
@@ -28,21 +29,26 @@ GalleryCallbacks callbacksFor(Actions& actions, QWidget* window) {
 
 void addGalleryActions(Actions& actions, QWidget* window) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("underact::gui", text); };
+  const auto open = [&actions, window](const QString& only, const QString& folder) {
+    auto* dialog = window->findChild<GalleryDialog*>();
+    if (dialog == nullptr) {
+      dialog = new GalleryDialog(callbacksFor(actions, window), only, window);
+      dialog->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    dialog->setFolder(folder);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+    return true;
+  };
   actions.add({"help.figures",
                tr("&Figures of the thesis"),
                {},
                tr("Shows the figures of the thesis as this program makes them, with their numbers checked.")},
-              [&actions, window](const QVariantList& only) {
-                auto* dialog = window->findChild<GalleryDialog*>();
-                if (dialog == nullptr) {
-                  dialog = new GalleryDialog(callbacksFor(actions, window), only.value(0).toString(), window);
-                  dialog->setAttribute(Qt::WA_DeleteOnClose);
-                }
-                dialog->show();
-                dialog->raise();
-                dialog->activateWindow();
-                return true;
-              });
+              [open](const QVariantList& only) { return open(only.value(0).toString(), figureFolder()); });
+  actions.addCommand("figures.open", [open](const QVariantList& list) {
+    return open({}, QFileInfo(list.value(0).toString()).absolutePath());
+  });
 }
 
 }  // namespace underact::gui

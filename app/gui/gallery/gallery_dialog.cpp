@@ -108,6 +108,13 @@ QWidget* GalleryDialog::buildMaking() {
 
 GalleryDialog::~GalleryDialog() = default;
 
+void GalleryDialog::setFolder(const QString& folder) {
+  if (folder_ == folder) return;
+  folder_ = folder;
+  make_->setVisible(folder == figureFolder());
+  readFolder();
+}
+
 QString GalleryDialog::message() const {
   return message_->text();
 }

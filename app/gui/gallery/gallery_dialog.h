@@ -29,6 +29,8 @@ class GalleryDialog : public QDialog {
   /// only: figure numbers separated by commas; empty: all.
   GalleryDialog(GalleryCallbacks callbacks, const QString& only, QWidget* parent);
   ~GalleryDialog() override;
+  /// Shows those of that folder; a folder other than figureFolder() is only looked at.
+  void setFolder(const QString& folder);
   bool isMaking() const { return run_ != nullptr; }
   /// The state of the figures, or the result of a run; read by screen readers.
   QString message() const;

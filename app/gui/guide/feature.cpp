@@ -20,7 +20,9 @@ FeatureRow guideFeature() {
                     {"dialog.guide_pdf_problems", "window#this-guide"},
                     {"dialog.notebook", "python#notebooks"},
                     {"dialog.notebook_problems", "python#notebooks"}},
-          .make = makeGuide};
+          .make = makeGuide,
+          .opens = FileKind::Notebook,
+          .open_action = "notebook.open"};
 }
 
 }  // namespace underact::gui

@@ -44,6 +44,10 @@ GuideTool::GuideTool(Actions& actions, const std::vector<HelpPage>& pages, const
           {QString::fromStdString(one.page.title), tr("Guide"), "help.guide", QString::fromStdString(one.name)});
     return pages;
   });
+  actions_.addCommand("notebook.open", [this](const QVariantList& path) {
+    askToOpenNotebook(path.value(0).toString(), main_);
+    return true;
+  });
   actions_.addCommand("guide.search", [this](const QVariantList& words) {
     if (!open(this->place())) return false;
     window_->search(words.value(0).toString());

@@ -11,11 +11,14 @@
 #include <QUrl>
 
 #include "app/gui/kit/problems_dialog.h"
+#include "app/gui/kit/shipped.h"
 
 namespace underact::gui {
 namespace {
 
+/// A notebook of the user's own is opened where it is.
 QString copyOf(const QString& original) {
+  if (QFileInfo(original).absolutePath() != shippedFolder(system::Resource::Guide)) return original;
   const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
   return documents.filePath("Underact/notebooks/" + QFileInfo(original).fileName());
 }
@@ -49,10 +52,13 @@ void askToOpenNotebook(const QString& original, QWidget* parent) {
                               QObject::tr("Another program opens this notebook, for example Jupyter or VS Code."),
                               QMessageBox::Cancel, parent);
   box->setObjectName("dialog.notebook");
-  box->setInformativeText(
-      QObject::tr("It opens a copy of your own, which keeps your changes:\n%1").arg(copyOf(original)));
+  const bool is_own = copyOf(original) == original;
+  if (!is_own)
+    box->setInformativeText(
+        QObject::tr("It opens a copy of your own, which keeps your changes:\n%1").arg(copyOf(original)));
   box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  QPushButton* open = box->addButton(QObject::tr("Open my copy"), QMessageBox::AcceptRole);
+  QPushButton* open =
+      box->addButton(is_own ? QObject::tr("Open") : QObject::tr("Open my copy"), QMessageBox::AcceptRole);
   open->setObjectName("dialog.notebook.open");
   QObject::connect(open, &QPushButton::clicked, parent, [original, parent] { openNotebook(original, parent); });
   box->setAttribute(Qt::WA_DeleteOnClose);

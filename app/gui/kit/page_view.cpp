@@ -72,6 +72,7 @@ QUrl askedFor(const QUrl& link) {
 
 PageView::PageView(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
+  setAcceptDrops(false);                              // files are dropped on the window
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures are fitted to a constant width
   document()->setDocumentMargin(kPageMargin);
   // With some fonts, rounding makes a table a few pixels too wide; as long as only the empty margin is cut off, there

@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 
-#include "app/gui/lessons/lesson_library.h"
 #include "app/gui/lessons/lessons_panel.h"
 
 namespace underact::gui {
@@ -27,6 +26,7 @@ FeatureRow lessonsFeature() {
                 {"dialog.class_results_save", "classes#results-of-a-class"},
                 {"dialog.class_results_folder", "classes#results-of-a-class"}},
       .opens = isLessonFile,
+      .opens = FileKind::Lesson,
       .open_action = "lesson.open"};
 }
 

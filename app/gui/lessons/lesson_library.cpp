@@ -8,13 +8,10 @@
 
 #include "app/gui/kit/shipped.h"
 #include "app/gui/model/data_words.h"
-#include "core/json/text.h"
 #include "core/lesson/read.h"
 
 namespace underact::gui {
 namespace {
-
-constexpr std::size_t kLargestLesson = std::size_t{1} << 20;  // bytes; a longer file is refused
 
 const QString kSolved = "lessons/solved";  // group of the settings
 
@@ -43,12 +40,6 @@ std::vector<lesson::Lesson> shippedLessons() {
   std::stable_sort(lessons.begin(), lessons.end(),
                    [](const lesson::Lesson& a, const lesson::Lesson& b) { return a.order < b.order; });
   return lessons;
-}
-
-bool isLessonFile(const QString& path) {
-  if (!path.endsWith(".json", Qt::CaseInsensitive)) return false;
-  const Result<std::string> text = json::readTextFile(path.toStdString(), "a lesson", kLargestLesson);
-  return text && lesson::isLessonText(text.value());
 }
 
 const lesson::Lesson* lessonAfter(const std::vector<lesson::Lesson>& lessons, const QString& path) {

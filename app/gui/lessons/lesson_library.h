@@ -13,9 +13,6 @@ QString lessonFolder();
 /// The lessons of that folder that can be read, sorted by `order`.
 std::vector<lesson::Lesson> shippedLessons();
 
-/// Whether a file is meant as a lesson, even if it has errors.
-bool isLessonFile(const QString& path);
-
 /// The one after that of that path; null: it is the last, or not among them.
 const lesson::Lesson* lessonAfter(const std::vector<lesson::Lesson>& lessons, const QString& path);
 

@@ -84,7 +84,7 @@ FeatureRow meshFeature() {
                     {"dialog.mesh", "meshes"},
                     {"dialog.mesh_problems", "meshes"}},
           .make = makeMesh,
-          .opens = [](const QString& path) { return endsWithOne(kMeshSuffixes, path); },
+          .opens = FileKind::Mesh,
           .open_action = "mesh.add"};
 }
 

@@ -36,7 +36,7 @@ FeatureRow replayFeature() {
                     {"dialog.session", "sessions"},
                     {"dialog.session_problems", "sessions#replay"}},
           .make = makeReplay,
-          .opens = isSession,
+          .opens = FileKind::Session,
           .open_action = "replay.open"};
 }
 

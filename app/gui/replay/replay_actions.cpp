@@ -102,10 +102,6 @@ void addCommands(Actions& actions, Player& player) {
 
 }  // namespace
 
-bool isSession(const QString& path) {
-  return path.endsWith(".h5", Qt::CaseInsensitive) || path.endsWith(".hdf5", Qt::CaseInsensitive);
-}
-
 void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidget* window) {
   actions.add({"replay.open", tr("&Open session…"), QKeySequence("Ctrl+Shift+O"),
                tr("Opens a recorded session and replays it."), "open"},
@@ -158,7 +154,10 @@ void addReplayActions(Actions& actions, Player& player, SceneFiles& files, QWidg
     actions.find("replay.what_if")->setChecked(player.isOpen() && player.whatIf());
   };
   enable();
-  QObject::connect(&player, &Player::opened, &actions, [&player] { player.play(); });
+  QObject::connect(&player, &Player::opened, &actions, [&player, &actions] {
+    actions.perform("view.fit");
+    player.play();
+  });
   for (const auto signal : {&Player::opened, &Player::closed, &Player::changed})
     QObject::connect(&player, signal, &actions, enable);
   QObject::connect(&player, &Player::whatIfChanged, &actions, enable);

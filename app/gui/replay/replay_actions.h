@@ -1,6 +1,4 @@
 #pragma once
-#include <QString>
-
 class QWidget;
 
 namespace underact::gui {
@@ -8,9 +6,6 @@ namespace underact::gui {
 class Actions;
 class Player;
 class SceneFiles;
-
-/// Whether a file has the name of a session.
-bool isSession(const QString& path);
 
 /// The actions for a recorded session, by name: for the menu, the keys, the bar and stories. If the player cannot
 /// replay, opening is refused.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/gui/kit/words.h"
+#include "app/gui/model/file_kind.h"
 #include "app/gui/model/settings.h"
 #include "app/gui/model/simulated_host.h"
 #include "app/gui/view/film_encoder.h"
@@ -37,7 +38,8 @@ int say(const Problems& problems) {
 }
 
 bool isSession(const std::string& file) {
-  return QFileInfo(QString::fromStdString(file)).suffix().toLower() == "h5";
+  const Result<FileKind> kind = kindOfFile(file);
+  return kind && kind.value() == FileKind::Session;
 }
 
 /// What is filmed, on a servo that ticks when it is told to.

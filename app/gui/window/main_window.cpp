@@ -6,7 +6,6 @@
 #include <QMimeData>
 #include <QStatusTipEvent>
 #include <QTabBar>
-#include <QUrl>
 #include <utility>
 
 #include "app/gui/arms/second_arm.h"
@@ -23,6 +22,7 @@
 #include "app/gui/view/hand.h"
 #include "app/gui/view/scene_view.h"
 #include "app/gui/window/docks.h"
+#include "app/gui/window/drop_overlay.h"
 #include "app/gui/window/purpose.h"
 #include "app/gui/window/stop_banner.h"
 #include "app/gui/window/window_watch.h"
@@ -104,6 +104,7 @@ void MainWindow::setTheme(const Theme& theme) {
   services_.actions->setIcons([&theme](const QString& name) { return icon(name, theme); });
   setWindowIcon(icon("underact", theme));
   services_.view->setTheme(theme);
+  drop_->setTheme(theme);
   for (ServoListener* listener : listeners_) listener->setTheme(theme);
 }
 
@@ -159,16 +160,31 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
+/// Accepted, too, if nothing opens it: Qt would not say that it has left.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (!services_.actions->isLocked() && urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
+  if (services_.actions->isLocked() || !event->mimeData()->hasUrls()) return;
+  drop_->present(draggedOf(*event->mimeData()));
+  event->setDropAction(Qt::CopyAction);  // whoever drags it must not remove it
+  event->accept();
+}
+
+void MainWindow::dragMoveEvent(QDragMoveEvent* event) {
+  event->setDropAction(Qt::CopyAction);
+  event->setAccepted(drop_->dragged().opens);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+  drop_->hide();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  if (services_.actions->isLocked()) return;
+  drop_->hide();
+  const QString path = drop_->dragged().path;
+  if (services_.actions->isLocked() || path.isEmpty()) return;
   services_.status->setTip({});  // the pointer came without leaving what it was over
-  event->acceptProposedAction();
-  services_.actions->perform("scene.open", event->mimeData()->urls().first().toLocalFile());
+  event->setDropAction(Qt::CopyAction);
+  event->accept();
+  services_.actions->perform("scene.open", path);
 }
 
 }  // namespace underact::gui

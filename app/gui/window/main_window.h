@@ -10,6 +10,7 @@ namespace underact::gui {
 
 class Docks;
 class FramePacer;
+class DropOverlay;
 class StopBanner;
 class DeferredStyleSheet;
 class WindowWatch;
@@ -27,7 +28,6 @@ class MainWindow : public QMainWindow {
   Document& document() { return *services_.document; }
   SceneView& view() { return *services_.view; }
   Player& player() { return *services_.player; }
-  const std::vector<FeatureRow>& rows() const { return rows_; }
   /// One frame: fetches every tick since the last frame and shows the newest snapshot. Called by the pacer.
   void frame();
 
@@ -36,6 +36,8 @@ class MainWindow : public QMainWindow {
   void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
  private:
@@ -63,6 +65,7 @@ class MainWindow : public QMainWindow {
   ServoListeners listeners_;
   bool arranged_ = false;
   StopBanner* banner_ = nullptr;
+  DropOverlay* drop_ = nullptr;
   QString fault_;                       // the sentence announced last
   std::unique_ptr<WindowWatch> watch_;  // last: its threads end before what they reach
 };

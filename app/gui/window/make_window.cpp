@@ -17,6 +17,7 @@
 #include "app/gui/view/scene_view.h"
 #include "app/gui/view/view_actions.h"
 #include "app/gui/window/docks.h"
+#include "app/gui/window/drop_overlay.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/menus.h"
 #include "app/gui/window/notice.h"
@@ -70,6 +71,7 @@ void MainWindow::buildFeatures() {
   const FeatureParts parts = services_.parts(given_, settings_, pages_, [this] { return busyReason(); });
   services_.steered->setDrain([this] { drain(); });
   new Notice(view(), actions());
+  drop_ = new DropOverlay(view());
   addWindowActions(
       parts, rows_, [this] { docks_->arrange(purpose()); },
       [this](const QString& key) {

@@ -9,6 +9,7 @@
 #include "app/gui/arms/second_arm.h"
 #include "app/gui/files/scene_files.h"
 #include "app/gui/kit/actions.h"
+#include "app/gui/kit/problems_dialog.h"
 #include "app/gui/kit/words.h"
 #include "app/gui/model/document.h"
 #include "app/gui/model/left_hand.h"
@@ -38,6 +39,19 @@ void addServo(const FeatureParts& parts) {
       });
 }
 
+/// Whoever opens a file, from a dialog, by a drop or on the command line, comes here.
+bool openFile(const QString& path, Actions& actions, SceneFiles& files, const std::vector<FeatureRow>& rows,
+              QWidget* window) {
+  const Result<FileKind> kind = kindOfFile(path.toStdString());
+  if (!kind) {
+    showProblemsBox("dialog.open_problems", tr("File not opened"),
+                    tr("“%1” was not opened.").arg(QFileInfo(path).fileName()), kind.problems(), window);
+    return false;
+  }
+  const QString opener = openerOf(kind.value(), rows);
+  return opener.isEmpty() ? files.open(path) : actions.perform(opener, path);
+}
+
 void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
   Actions& actions = parts.actions;
   SceneFiles& files = parts.files;
@@ -48,14 +62,16 @@ void addFiles(const FeatureParts& parts, const std::vector<FeatureRow>& rows) {
     actions.perform("notice.tell", tr("Opened with your last settings. Undo (Ctrl+Z) restores the original."),
                     QString());
   });
-  actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open, tr("Opens a scene file."), "open"},
-              [&actions, &files, rows](const QVariantList& path) {
+  QObject::connect(&files, &SceneFiles::chosen, &actions,
+                   [&actions](const QString& path) { actions.perform("scene.open", path); });
+  actions.add({"scene.open", tr("&Open file…"), QKeySequence::Open,
+               tr("Opens a scene, session, arm file, mesh, curve, lesson, list of figures or notebook."), "open"},
+              [&actions, &files, rows, window = parts.window](const QVariantList& path) {
                 if (path.isEmpty()) {
                   files.chooseAndOpen();
                   return true;
                 }
-                const QString opener = openerOf(path.first().toString(), rows);
-                return opener.isEmpty() ? files.open(path.first().toString()) : actions.perform(opener, path);
+                return openFile(path.first().toString(), actions, files, rows, window);
               });
   actions.addCommand("scene.settle", [&files](const QVariantList&) { return files.settleEdits(); });
   addLeftHandAction(actions, parts.document);

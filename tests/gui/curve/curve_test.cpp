@@ -25,13 +25,6 @@ scene::Curve curveOf(const CurveDialog& dialog) {
 
 }  // namespace
 
-TEST(CurveFiles, AFileIsACurveByItsEnd) {
-  EXPECT_TRUE(curveFeature().opens("path.csv"));
-  EXPECT_TRUE(curveFeature().opens("PATH.CSV"));
-  EXPECT_FALSE(curveFeature().opens("path.json"));
-  EXPECT_FALSE(curveFeature().opens("csv"));
-}
-
 TEST(CurveDialog, WhatLiesOutsideTheWorkspaceComesIntoItsMiddle) {
   const auto far = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{900, 0, 0}, {940, 0, 0}, {920, 30, 0}});
   const scene::Constraint made = CurveDialog("/home/knot.csv", far, true, nullptr).constraint();

@@ -21,11 +21,10 @@ TEST(HelpPlace, IsThatOfTheLongestNameThatAPartOrWhatItLiesInGoesOnFrom) {
   EXPECT_EQ(helpPageOf(&inner, {}), QString("start"));
 }
 
-TEST(Opener, IsTheFirstRowThatKnowsTheName) {
-  const auto is_mesh = [](const QString& path) { return path.endsWith(".stl"); };
-  const std::vector<FeatureRow> rows{{}, {.opens = is_mesh, .open_action = "mesh.add"}};
-  EXPECT_EQ(openerOf("a.stl", rows), QString("mesh.add"));
-  EXPECT_EQ(openerOf("a.json", rows), QString());
+TEST(Opener, IsTheFirstRowThatOpensTheKind) {
+  const std::vector<FeatureRow> rows{{}, {.opens = FileKind::Mesh, .open_action = "mesh.add"}};
+  EXPECT_EQ(openerOf(FileKind::Mesh, rows), QString("mesh.add"));
+  EXPECT_EQ(openerOf(FileKind::Scene, rows), QString());
 }
 
 TEST(Dock, KnowsItsKeyAndWhereItStandsAtFirst) {

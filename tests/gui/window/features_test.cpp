@@ -10,17 +10,16 @@ TEST(Features, EachBringsSomethingThatNoOtherHas) {
   std::set<QString> keys;
   for (const FeatureRow& row : features()) {
     EXPECT_TRUE(row.make != nullptr || !row.panels.empty());
-    EXPECT_EQ(row.opens == nullptr, row.open_action == nullptr);
+    EXPECT_EQ(row.opens == FileKind::Scene, row.open_action == nullptr);
     for (const PanelRow& panel : row.panels) EXPECT_TRUE(keys.insert(panel.key).second) << panel.key;
   }
 }
 
-TEST(Features, AFileIsOpenedByTheFeatureWhoseItIs) {
-  EXPECT_EQ(openerOf("hand.h5", features()), QString("replay.open"));
-  EXPECT_EQ(openerOf("bunny.STL", features()), QString("mesh.add"));
-  EXPECT_EQ(openerOf("path.csv", features()), QString("curve.add"));
-  EXPECT_EQ(openerOf("nothing.json", features()), QString());  // a scene, right or wrong
-  EXPECT_EQ(openerOf("hand.h5", {}), QString());
+TEST(Features, AFileOfEachKindIsOpenedByTheFeatureWhoseItIs) {
+  EXPECT_EQ(openerOf(FileKind::Scene, features()), QString()) << "the window itself opens scenes";
+  for (int kind = 1; kind <= static_cast<int>(FileKind::Notebook); ++kind)
+    EXPECT_FALSE(openerOf(static_cast<FileKind>(kind), features()).isEmpty()) << kind;
+  EXPECT_EQ(openerOf(FileKind::Session, {}), QString());
 }
 
 }  // namespace underact::gui::test
