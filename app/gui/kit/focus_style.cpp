@@ -2,7 +2,6 @@
 
 #include <QAbstractScrollArea>
 #include <QApplication>
-#include <QGridLayout>
 #include <QPainter>
 #include <QSlider>
 #include <QStyleOption>
@@ -56,14 +55,6 @@ void drawRadioOutline(const QStyleOption& option, QPainter& painter) {
 void FocusStyle::polish(QApplication* application) {
   QProxyStyle::polish(application);
   connect(application, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { frame(now); });
-}
-
-void FocusStyle::polish(QWidget* widget) {
-  QProxyStyle::polish(widget);
-  auto* const grid = widget->inherits("QMessageBox") ? qobject_cast<QGridLayout*>(widget->layout()) : nullptr;
-  if (grid == nullptr) return;
-  grid->setContentsMargins(20, 20, 20, 16);
-  grid->setHorizontalSpacing(16);
 }
 
 void FocusStyle::frame(QWidget* focused) {
@@ -167,6 +158,10 @@ QIcon FocusStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
 int FocusStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
   if (metric == PM_DockWidgetSeparatorExtent) return 1;
   if (metric == PM_ScrollBarExtent) return 12;
+  if (widget != nullptr && widget->inherits("QMessageBox")) {
+    if (metric == PM_LayoutBottomMargin || metric == PM_LayoutHorizontalSpacing) return 16;
+    if (metric == PM_LayoutLeftMargin || metric == PM_LayoutTopMargin || metric == PM_LayoutRightMargin) return 20;
+  }
   return QProxyStyle::pixelMetric(metric, option, widget);
 }
 

@@ -15,7 +15,7 @@ class FocusStyle : public QProxyStyle {
  public:
   FocusStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
   void polish(QApplication* application) override;
-  void polish(QWidget* widget) override;
+  void polish(QWidget* widget) override { QProxyStyle::polish(widget); }
   void polish(QPalette& palette) override { QProxyStyle::polish(palette); }
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;

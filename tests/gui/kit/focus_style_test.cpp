@@ -47,6 +47,8 @@ TEST(FocusStyle, TheIconsOfMessageBoxesAreFlatPaddedAndOfAnInkForTheirGround) {
     for (const QMessageBox::Icon icon :
          {QMessageBox::Question, QMessageBox::Information, QMessageBox::Warning, QMessageBox::Critical}) {
       QMessageBox box(icon, "Title", "What has happened.", QMessageBox::Save | QMessageBox::Discard);
+      box.setStyleSheet("QLabel { color: red; }");  // the window has one, too
+      box.setInformativeText("More of it.");
       box.show();
       const QImage picture = box.iconPixmap().toImage();
       ASSERT_FALSE(picture.isNull());
