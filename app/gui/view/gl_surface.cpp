@@ -28,7 +28,7 @@ namespace {
 constexpr double kCrease_mm = 25.0, kMinDepth_mm = 1.0;
 constexpr int kSamplesOfCreases = 128;
 // Software GL smooths silhouettes at rest alone: FXAA doubles the time of each frame (10 to 21 ms at 1280 x 800 on two
-// cores, below 30 frames a second beside other work), four samples for each pixel take 30 ms once.
+// cores, below 30 frames a second beside other work), four samples for each pixel cost time once.
 constexpr int kRest_ms = 150;
 constexpr qint64 kMaxFine_px = 1'500'000;  // more than those would make the window wait
 
