@@ -145,7 +145,6 @@ int run(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(surfaceFormat());
   QApplication::setOrganizationName("Underact");
   QApplication::setApplicationName("underact");
-  QApplication::setApplicationDisplayName("Underact");
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("org.underact.underact");
   qInstallMessageHandler(holdQtsWords);

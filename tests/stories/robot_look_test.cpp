@@ -3,6 +3,7 @@
 #include <QListWidget>
 #include <QPushButton>
 
+#include "tests/stories/picture_difference.h"
 #include "tests/stories/robot_desk.h"
 
 namespace underact::gui::test {

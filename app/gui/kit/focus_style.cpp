@@ -8,6 +8,7 @@
 
 #include "app/gui/kit/contrast.h"
 #include "app/gui/kit/flat_forms.h"
+#include "app/gui/kit/icons.h"
 #include "app/gui/kit/theme.h"
 
 namespace underact::gui {
@@ -82,6 +83,11 @@ void FocusStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
   const bool has_focus = option->state.testFlag(State_HasFocus);
   if (element == PE_IndicatorRadioButton) drawRadioOutline(*option, *painter);
   if (element == PE_FrameLineEdit && !has_focus) drawOutline(*option, option->rect, 2.0, *painter);
+  if (element == PE_PanelMenu || element == PE_FrameMenu) {
+    QStyleOption edge = *option;
+    edge.state |= State_Enabled;  // menus do not say what they are
+    drawOutline(edge, option->rect, 0.0, *painter);
+  }
   const bool is_field = element == PE_FrameLineEdit && hasKeys(*option);
   const bool is_ring = element == PE_FrameFocusRect && option->state.testFlag(State_KeyboardFocusChange);
   if (is_field || is_ring) drawRing(*option, option->rect, *painter);
@@ -126,13 +132,36 @@ QRect FocusStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
 int FocusStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* more) const {
   if (hint == SH_FocusFrame_AboveWidget) return 1;
-  if (hint == SH_FocusFrame_Mask) return 0;  // a mask would leave only the part beyond the edge
+  if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;  // they would be of another set
+  if (hint == SH_FocusFrame_Mask) return 0;                   // a mask would leave only the part beyond the edge
   return QProxyStyle::styleHint(hint, option, widget, more);
+}
+
+QIcon FocusStyle::standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const {
+  const QPalette palette = widget != nullptr ? widget->palette() : QApplication::palette();
+  const QColor ground = palette.color(QPalette::Window), ink = palette.color(QPalette::WindowText);
+  const Theme theme = luminanceOf(ground) < luminanceOf(ink) ? Theme::dark_theme() : Theme::light();
+  switch (which) {
+    case SP_MessageBoxQuestion:
+      return icon("question", theme);
+    case SP_MessageBoxInformation:
+      return icon("information", theme);
+    case SP_MessageBoxWarning:
+      return icon("warning", theme);
+    case SP_MessageBoxCritical:
+      return icon("critical", theme);
+    default:
+      return QProxyStyle::standardIcon(which, option, widget);
+  }
 }
 
 int FocusStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
   if (metric == PM_DockWidgetSeparatorExtent) return 1;
   if (metric == PM_ScrollBarExtent) return 12;
+  if (widget != nullptr && widget->inherits("QMessageBox")) {
+    if (metric == PM_LayoutBottomMargin || metric == PM_LayoutHorizontalSpacing) return 16;
+    if (metric == PM_LayoutLeftMargin || metric == PM_LayoutTopMargin || metric == PM_LayoutRightMargin) return 20;
+  }
   return QProxyStyle::pixelMetric(metric, option, widget);
 }
 

@@ -7,7 +7,9 @@ namespace underact::gui {
 
 /// Qt's Fusion, the one style that takes light and dark from a palette everywhere, with a ring around the keyboard
 /// focus that has a contrast of 3:1 or more: Fusion's own is nearly transparent, too dark on a dark background, and
-/// missing on lists and texts. Buttons, boxes and sliders are flat, scroll bars slim, docks separated by a thin line.
+/// missing on lists and texts. Message boxes have icons of the program's own set and room around them, menus an edge
+/// that is seen on dark windows, too. Buttons, boxes and sliders are flat, scroll bars slim, docks separated by a thin
+/// line.
 class FocusStyle : public QProxyStyle {
   Q_OBJECT
  public:
@@ -25,6 +27,7 @@ class FocusStyle : public QProxyStyle {
                        const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* more) const override;
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const override;
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
 
  private:

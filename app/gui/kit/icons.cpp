@@ -127,14 +127,46 @@ void drawLayers(QPainter& painter, const Theme& theme) {
   painter.setBrush(constraintFill(theme));
   painter.drawPolygon(QPolygonF{{{12, 4}, {20, 8}, {12, 12}, {4, 8}}});
 }
-void drawHelp(QPainter& painter, const Theme& theme) {
-  painter.setPen(ink(theme));
-  painter.drawEllipse(QPointF(12, 12), 8.5, 8.5);
+void questionMark(QPainter& painter) {
   QPainterPath path(QPointF(9.3, 9.8));
   path.cubicTo(9.3, 6.2, 14.9, 6.4, 14.7, 9.8);
   path.cubicTo(14.6, 11.8, 12, 11.8, 12, 14);
   painter.drawPath(path);
   painter.drawPoint(QPointF(12, 16.8));
+}
+void drawHelp(QPainter& painter, const Theme& theme) {
+  painter.setPen(ink(theme));
+  painter.drawEllipse(QPointF(12, 12), 8.5, 8.5);
+  questionMark(painter);
+}
+// What message boxes say: a form and a colour for each.
+void sign(QPainter& painter, const QColor& colour, const QPolygonF& form) {
+  painter.setPen(QPen(colour, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(faint(colour, 0.18));
+  form.isEmpty() ? painter.drawEllipse(QPointF(12, 12), 8.5, 8.5) : painter.drawPolygon(form);
+  painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+}
+void drawQuestion(QPainter& painter, const Theme& theme) {
+  sign(painter, edge(theme).color(), {});
+  questionMark(painter);
+}
+void drawInformation(QPainter& painter, const Theme& theme) {
+  sign(painter, edge(theme).color(), {});
+  painter.drawLine(QPointF(12, 11.5), QPointF(12, 16));
+  painter.drawPoint(QPointF(12, 8));
+}
+void drawWarning(QPainter& painter, const Theme& theme) {
+  sign(painter, amber(theme), QPolygonF{{{12, 4}, {21, 19.5}, {3, 19.5}}});
+  painter.drawLine(QPointF(12, 10), QPointF(12, 13.5));
+  painter.drawPoint(QPointF(12, 16.7));
+}
+void drawCritical(QPainter& painter, const Theme& theme) {
+  sign(painter, alarm(theme),
+       QPolygonF{
+           {{8.5, 3.5}, {15.5, 3.5}, {20.5, 8.5}, {20.5, 15.5}, {15.5, 20.5}, {8.5, 20.5}, {3.5, 15.5}, {3.5, 8.5}}});
+  painter.drawLine(QPointF(9, 9), QPointF(15, 15));
+  painter.drawLine(QPointF(15, 9), QPointF(9, 15));
 }
 void drawOpen(QPainter& painter, const Theme& theme) {
   painter.setPen(ink(theme));
@@ -274,7 +306,9 @@ const QHash<QString, Draw>& drawings() {
                                          {"box", drawBox},           {"virtual_manipulator", drawRobot},
                                          {"mesh", drawMesh},         {"curve", drawCurve},
                                          {"underact", drawUnderact}, {"hold", drawHold},
-                                         {"visitor", drawVisitor}};
+                                         {"visitor", drawVisitor},   {"question", drawQuestion},
+                                         {"warning", drawWarning},   {"information", drawInformation},
+                                         {"critical", drawCritical}};
   return kAll;
 }
 

@@ -8,7 +8,8 @@ namespace underact::gui {
 
 /// An icon painted with a pen, crisp at any size, in the theme's ink. name: "start", "stop", "record", "play", "pause",
 /// "back", "forward", "fit", "front", "top", "side", "isometric", "layers", "help", "open", "save", "undo", "redo",
-/// "reset", a panel's key ("feel"), a shape's type ("sphere"), "file", "underact". An unknown name gives an empty icon.
+/// "reset", "question", "warning", "information", "critical", a panel's key ("feel"), a shape's type ("sphere"),
+/// "file", "underact". An unknown name gives an empty icon.
 QIcon icon(const QString& name, const Theme& theme);
 
 /// An icon of a picture file, read when first painted. It reports whatever size is requested.

@@ -25,7 +25,6 @@ FeatureRow lessonsFeature() {
                 {"dialog.class_results", "classes#results-of-a-class"},
                 {"dialog.class_results_save", "classes#results-of-a-class"},
                 {"dialog.class_results_folder", "classes#results-of-a-class"}},
-      .opens = isLessonFile,
       .opens = FileKind::Lesson,
       .open_action = "lesson.open"};
 }

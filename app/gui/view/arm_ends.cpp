@@ -70,7 +70,7 @@ void addGimbal(ArmSolids& arm, const arm::Model& model) {
   const Pose X_WS = frameAlong(tip_W, back_W);
   if (forearm_m > 1.2 * collar_m) {
     arm.solids.push_back(
-        {before, Finish::Shell, TurnedForm{X_WS, taperedRod(collar_m, forearm_m, 0.86 * housing_m, 0.72 * elbow_m)}});
+        {before, Finish::Metal, TurnedForm{X_WS, taperedRod(collar_m, forearm_m, 0.86 * housing_m, 0.72 * elbow_m)}});
   }
   arm.solids.push_back(
       {before, Finish::Shell,
@@ -110,7 +110,7 @@ void addStylus(ArmSolids& arm, const arm::Model& model) {
   const double cone_m = std::min(0.6 * length_m, 0.22 * kOmniReach_m * size);
   const double ball_m = 0.0022 * size, thick_m = std::min(0.55 * radius_m, 0.4 * cone_m);
   arm.solids.push_back(
-      {count, Finish::Shell, TurnedForm{X_WS, taperedRod(cone_m, length_m, 0.62 * radius_m, 0.72 * radius_m)}});
+      {count, Finish::Metal, TurnedForm{X_WS, taperedRod(cone_m, length_m, 0.62 * radius_m, 0.72 * radius_m)}});
   arm.solids.push_back({count, Finish::Trim,
                         TurnedForm{X_WS, roundedRod(cone_m - 0.25 * radius_m, cone_m + 0.25 * radius_m, 0.8 * radius_m,
                                                     0.1 * radius_m)}});

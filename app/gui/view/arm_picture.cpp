@@ -13,7 +13,7 @@
 namespace underact::gui {
 namespace {
 
-constexpr double kFootShare = 0.18;  // of the base, of the reach
+constexpr double kFootShare = 0.205;  // of the base, of the reach
 constexpr double kArmAmbient = 0.32, kArmDiffuse = 0.75, kArmSpecular = 0.16, kArmShine = 28.0;
 
 /// The parts of a solid's profile that are alike, as rods.
@@ -103,8 +103,9 @@ bool areSame(const std::vector<arm::LinkSolid>& a, const std::vector<arm::LinkSo
 
 Finishes armFinishes(const Theme& theme) {
   const auto ink = [&](double share) { return mixed(theme.background, theme.ink, share); };
-  if (theme.dark) return {ink(0.78), ink(0.5), ink(0.62), theme.ink};
-  return {ink(0.58), ink(0.86), ink(0.5), theme.ink};
+  // Two materials: the housings' plastic and the links' metal. As far from each other as both are seen on the desk.
+  if (theme.dark) return {ink(0.56), ink(0.42), ink(0.9), theme.ink};
+  return {ink(0.64), ink(0.86), ink(0.36), theme.ink};
 }
 
 ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), PieceKind::Line)) {

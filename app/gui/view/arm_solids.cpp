@@ -120,7 +120,7 @@ class JointMaker {
   void addLink(std::size_t link, const Vec3& from_W, const Vec3& to_W, double from_radius_m, double to_radius_m) {
     const double length_m = (to_W - from_W).norm();
     if (length_m < 0.3 * std::min(from_radius_m, to_radius_m)) return;
-    add(link, Finish::Shell,
+    add(link, Finish::Metal,
         TurnedForm{frameAlong(from_W, (to_W - from_W) / length_m),
                    taperedRod(0.0, length_m, kLinkRadius * from_radius_m, kLinkRadius * to_radius_m)});
   }
@@ -217,6 +217,7 @@ ArmStand standOf(const arm::Model& model) {
   const Vec3 shoulder_W = axes.empty() ? Vec3::Zero() : axes.front().out_W;
   if (arm::omniGeometry(model)) {
     stand.p_WG = shoulder_W - kShoulderShare * reach_m * stand.up_W();
+    stand.p_DTop.z() = 0.4 * reach_m;  // it works before its foot
     return stand;
   }
   stand.R_WD << Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY();

@@ -12,6 +12,7 @@ namespace underact::gui {
 struct ArmStand {
   Mat3 R_WD = Mat3::Identity();  // the desk's frame D: x to the right, y up, z towards the user
   Vec3 p_WG = Vec3::Zero();      // the point of the desk under the first joint
+  Vec3 p_DTop = Vec3::Zero();    // the middle of the desk's top, from there
   double size = 1.0;             // of the arm, relative to the Omni: lengths of marks scale with it
   Vec3 up_W() const { return R_WD.col(1); }
 };

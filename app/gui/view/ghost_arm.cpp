@@ -10,6 +10,9 @@
 #include "core/chain/kinematics.h"
 
 namespace underact::gui {
+
+constexpr double kBehind_mm = 0.6;  // of the Omni's size: more than a facet is from its circle
+
 GhostArm::GhostArm() : data_(vtkSmartPointer<vtkPolyData>::New()), actor_(makeActor(data_, PieceKind::Body)) {
   actor_->SetVisibility(false);
   setOpacity(kOpacity);
@@ -17,6 +20,11 @@ GhostArm::GhostArm() : data_(vtkSmartPointer<vtkPolyData>::New()), actor_(makeAc
 
 void GhostArm::setOpacity(double opacity) {
   actor_->GetProperty()->SetOpacity(opacity);
+}
+
+void GhostArm::setOrder(int number) {
+  order_ = number;
+  setBehind(*actor_, kBehind_mm * size_ * (1 + order_));
 }
 
 void GhostArm::setChain(const chain::Chain& chain) {
@@ -37,6 +45,7 @@ void GhostArm::take(ArmSolids arm, const chain::Chain& chain) {
   solids_ = std::move(arm.solids);
   axes_ = std::move(arm.axes);
   size_ = arm.stand.size;
+  setOrder(order_);
   std::erase_if(solids_, [](const ArmSolid& solid) { return solid.link == 0; });  // the base is that of the arm
   shown_.clear();
   hide();

@@ -26,6 +26,8 @@ class GhostArm {
   void setArm(const arm::Model& model);
   void setColour(const QColor& colour) { gui::setColour(*actor_, colour); }
   void setOpacity(double opacity);
+  /// Of several ghosts, one with a higher number is behind those that have the same place; all are behind the arm.
+  void setOrder(int number);
   /// q: rad or m, one for each joint. Not finite: hidden.
   void present(std::span<const double> q);
   /// Shows it in several configurations at once; none: hidden. Those that were shown last cost nothing.
@@ -47,6 +49,7 @@ class GhostArm {
   std::vector<ArmSolid> solids_;
   std::vector<DrawnAxis> axes_;
   double size_ = 1.0;
+  int order_ = 0;
   std::vector<arm::JointAngles> shown_;  // of which data_ is
   vtkSmartPointer<vtkPolyData> data_;
   vtkSmartPointer<vtkActor> actor_;

@@ -27,7 +27,7 @@ std::pair<int, int> foundOpenGl();
 bool hasOpenGl();
 
 /// A Qt widget that shows one VTK renderer, with text drawn over it by Qt (the system's font, crisp at any scale).
-/// Draws only when update() is called.
+/// Draws only when update() is called, and with software GL once more, smoothed, when no update() followed for a while.
 ///
 /// With a graphics card, a QOpenGLWidget inside shows the picture; it survives the loss of its context, when it is
 /// moved to another window, floated or shown again. Software GL draws into memory, and the picture is painted like any
@@ -52,6 +52,7 @@ class GlSurface : public QWidget {
   /// Whether creases are darkened (screen-space ambient occlusion). By default where a graphics card draws, which has
   /// not been tried: software GL draws a third of the frames with it.
   void setOcclusion(bool on);
+  /// Smoothed, as it is shown at rest.
   QImage picture();
   qint64 framesDrawn() const { return frames_; }
   /// GL errors since construction; should be 0.
@@ -71,7 +72,8 @@ class GlSurface : public QWidget {
   void begin(QOpenGLContext& context);
   void release();
   void render(QOpenGLContext& context, QSize pixels);
-  void drawInMemory();
+  void drawInMemory(bool fine);
+  void countErrors(QOpenGLContext& context);
   void end(QOpenGLContext& context, double frame_ms);
   QSize devicePixels() const;
 

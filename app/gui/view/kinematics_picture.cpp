@@ -66,6 +66,7 @@ KinematicsPicture::KinematicsPicture()
     actor->SetVisibility(false);
     actor->GetProperty()->SetOpacity(kEllipsoidOpacity);
   }
+  others_.setOrder(1);
   setArm(*arm::findPreset(arm::kDefaultArm), *arm::findModel(arm::kDefaultArm));
 }
 

@@ -1,5 +1,6 @@
 #include "app/gui/view/pieces.h"
 
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
@@ -52,11 +53,14 @@ class SeeThroughMapper : public vtkOpenGLPolyDataMapper {
 vtkStandardNewMacro(SeeThroughMapper);
 
 /// Where it is seen through, first the depth alone, then the colour of what is nearest, so that no layer shows through
-/// another. Offset slightly away from the eye, so that lines on the surface stay in front.
+/// another, also where parts of it have the same place. Offset away from the eye, by
+/// more than the rounding of depths, so that what has the same place and is not seen through stays in front, as lines
+/// do.
 class BodyMapper : public vtkOpenGLPolyDataMapper {
  public:
   static BodyMapper* New();
   vtkTypeMacro(BodyMapper, vtkOpenGLPolyDataMapper);
+  double behind_mm = 0.0;
 
  protected:
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override {
@@ -64,18 +68,40 @@ class BodyMapper : public vtkOpenGLPolyDataMapper {
     QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
     gl->glEnable(GL_POLYGON_OFFSET_FILL);
     gl->glPolygonOffset(1.0F, 2.0F);
+    if (behind_mm > 0.0) gl->glDepthRangef(nearestDepth(behind_mm, *renderer), 1.0F);
     GLint compare = GL_LEQUAL;
     gl->glGetIntegerv(GL_DEPTH_FUNC, &compare);
     gl->glDepthFunc(GL_LEQUAL);  // Qt may have left it at a function that rejects equal depths
     if (actor->GetProperty()->GetOpacity() < 1.0) {
-      state->vtkglColorMask(kNo, kNo, kNo, kNo);
+      // The alpha of the picture says how much of the colour a pixel still takes: what lies in one place, once.
+      const vtkOpenGLState::ScopedglEnableDisable blends(state, GL_BLEND);
+      const vtkOpenGLState::ScopedglBlendFuncSeparate function(state);
+      state->vtkglColorMask(kNo, kNo, kNo, kYes);
+      state->vtkglDisable(GL_BLEND);
       vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
       state->vtkglColorMask(kYes, kYes, kYes, kYes);
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ZERO, GL_ZERO);
+      vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
+      state->vtkglColorMask(kNo, kNo, kNo, kYes);
+      state->vtkglClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+      state->vtkglClear(GL_COLOR_BUFFER_BIT);
+      state->vtkglColorMask(kYes, kYes, kYes, kYes);
+    } else {
+      vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
     }
-    vtkOpenGLPolyDataMapper::RenderPieceDraw(renderer, actor);
     gl->glDepthFunc(static_cast<GLenum>(compare));
+    gl->glDepthRangef(0.0F, 1.0F);
     gl->glPolygonOffset(0.0F, 0.0F);
     gl->glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+  /// Where depths begin if what is there lies that much farther from the eye, at the distance at which it looks: in
+  /// perspective a share of each distance. The steps of a polygon offset are as small as the driver likes.
+  static float nearestDepth(double along_mm, vtkRenderer& renderer) {
+    vtkCamera& eye = *renderer.GetActiveCamera();
+    const double near_mm = eye.GetClippingRange()[0], far_mm = eye.GetClippingRange()[1];
+    if (eye.GetParallelProjection() != 0) return static_cast<float>(along_mm / (far_mm - eye.GetDistance()));
+    return static_cast<float>(along_mm * far_mm / (eye.GetDistance() * (far_mm - near_mm)));
   }
   static constexpr unsigned char kNo = 0, kYes = 1;
 };
@@ -167,6 +193,10 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, PieceKind kind) {
     property.LightingOff();
   }
   return actor;
+}
+
+void setBehind(vtkActor& body, double behind_mm) {
+  BodyMapper::SafeDownCast(body.GetMapper())->behind_mm = behind_mm;
 }
 
 void setColour(vtkActor& actor, const QColor& colour) {

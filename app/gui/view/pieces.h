@@ -26,6 +26,9 @@ enum class PieceKind { Solid, Tint, Body, Line, Mark };
 /// An actor that draws data. Add solids first, then lines, then tints: translucent things are drawn over what is behind
 /// them.
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* data, PieceKind kind);
+/// A Body by how much farther from the eye than its place: what has the same place hides it, and does not fight with
+/// it.
+void setBehind(vtkActor& body, double behind_mm);
 void setColour(vtkActor& actor, const QColor& colour);
 void place(vtkActor& actor, const Eigen::Matrix4d& X);
 /// X of a unit solid (radius 1, from 0 to 1 along z): from a to b, mm.

@@ -74,6 +74,7 @@ void RobotPicture::setScene(const scene::Description& scene) {
       const bool alike = old.manipulator.chain.joints.size() == made->chain.joints.size();
       if (old.index == index && alike) robot.theta = manipulator::clampedToLimits(*made, old.theta);
     }
+    robot.body->setOrder(static_cast<int>(robots_.size()));
     robot.body->setChain(made->chain);
     robots_.push_back(robot);
   }

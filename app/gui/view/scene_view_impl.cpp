@@ -67,7 +67,7 @@ void SceneView::Impl::before(QSize pixels) {
     actors_changed = false;
     vtkRenderer& renderer = surface->renderer();
     renderer.RemoveAllViewProps();
-    renderer.AddActor(shadow.actor());
+    for (vtkActor* actor : shadow.actors()) renderer.AddActor(actor);
     for (vtkActor* actor : hand.solids()) renderer.AddActor(actor);
     renderer.AddActor(meshes.face());
     for (const auto& target : hand.targets()) renderer.AddActor(target);
@@ -92,6 +92,7 @@ void SceneView::Impl::before(QSize pixels) {
   constraint.setLineWidth(scale);
   workspace.setLineWidth(scale);
   hand.setLineWidth(scale);
+  shadow.setLineWidth(scale);
   kinematics.setLineWidth(scale);
   influence.setLineWidth(scale);
   robots.setLineWidth(scale);
@@ -143,11 +144,7 @@ void SceneView::Impl::takeArms() {
 
 void SceneView::Impl::showArm() {
   hand.present(*shown);
-  const ArmStand& stand = hand.arm().stand();
-  Pose X_WD = Pose::Identity();
-  X_WD.linear() = stand.R_WD;
-  X_WD.translation() = stand.p_WG;
-  shadow.present(hand.arm().shadowRods(), X_WD, stand.size);
+  shadow.present(hand.arm().shadowRods(), hand.arm().stand());
   kinematics.present(shown->report.sample.q_rad);
   influence.present(shown->report);
   robots.present(*shown);

@@ -25,7 +25,7 @@ namespace underact::gui {
 // The first look: from the front, a little from the right and above, so that the sphere, the stylus and the arm behind
 // it do not overlap.
 inline constexpr double kHomeAzimuth_deg = 32.0, kHomeElevation_deg = 20.0;
-inline const QMarginsF kRoom_px(52.0, 60.0, 52.0, 44.0);  // about what is fitted; the hint is at the top
+inline const QMarginsF kRoom_px(28.0, 52.0, 28.0, 44.0);  // about what is fitted; the hint is at the top
 
 /// What a pressed button does.
 enum class Drag { None, Hand, Orbit, Pan, Zoom };

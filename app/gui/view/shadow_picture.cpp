@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -16,9 +17,11 @@ namespace underact::gui {
 namespace {
 
 // Of an arm of the Omni's size, m.
-constexpr double kSharpest_m = 0.004;  // the soft edge of a shadow on the desk itself
-constexpr double kWidening = 0.30;     // and how much it widens with height
-constexpr double kFading_m = 0.06;     // at this height it is half as dark: from far above it would look like a stain
+constexpr double kTop_m = 0.27;         // radius of the desk's top
+constexpr double kSharpest_m = 0.004;   // the soft edge of a shadow on the desk itself
+constexpr double kSharpestSteps = 2.0;  // and at least, of the grid: a sharper one would have saw teeth
+constexpr double kWidening = 0.30;      // and how much it widens with height
+constexpr double kFading_m = 0.06;      // at this height it is half as dark: from far above it would look like a stain
 constexpr float kMinShade = 0.004F;
 constexpr double kDarkest = 0.55, kDarkestOnDark = 0.75;
 
@@ -31,8 +34,8 @@ double smooth(double share) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-double edgeOf(double height_m, double size) {
-  return kSharpest_m * size + kWidening * height_m;
+double edgeOf(double height_m, double sharpest_m) {
+  return sharpest_m + kWidening * height_m;
 }
 
 }  // namespace
@@ -48,12 +51,18 @@ ShadowField shadowOf(std::span<const ShadowRod> rods, const Pose& X_WD, double s
     const Vec3 a = X_DW * rod.from_W, b = X_DW * rod.to_W;
     const double ha = std::max(0.0, a.y() - rod.from_radius_m), hb = std::max(0.0, b.y() - rod.to_radius_m);
     flat.push_back({a.x(), a.z(), b.x(), b.z(), rod.from_radius_m, rod.to_radius_m, ha, hb});
-    const double around = std::max(rod.from_radius_m + edgeOf(ha, size), rod.to_radius_m + edgeOf(hb, size));
+    const double around = std::max(rod.from_radius_m + edgeOf(ha, 0.0), rod.to_radius_m + edgeOf(hb, 0.0));
     min_x = std::min({min_x, a.x() - around, b.x() - around});
     max_x = std::max({max_x, a.x() + around, b.x() + around});
     min_z = std::min({min_z, a.z() - around, b.z() - around});
     max_z = std::max({max_z, a.z() + around, b.z() + around});
   }
+  const double sharpest =
+      std::max(kSharpest_m * size, kSharpestSteps * std::max(max_x - min_x, max_z - min_z) / (n - 1));
+  min_x -= sharpest;
+  min_z -= sharpest;
+  max_x += sharpest;
+  max_z += sharpest;
   const double step_x = (max_x - min_x) / (n - 1), step_z = (max_z - min_z) / (n - 1);
   field.p_WCorner = X_WD * Vec3(min_x, 0.0, min_z);
   field.x_W = X_WD.linear().col(0) * (max_x - min_x);
@@ -62,7 +71,7 @@ ShadowField shadowOf(std::span<const ShadowRod> rods, const Pose& X_WD, double s
   for (const FlatRod& rod : flat) {
     const double wx = rod.bx - rod.ax, wz = rod.bz - rod.az, length2 = wx * wx + wz * wz;
     const double around =
-        std::max(rod.from_radius + edgeOf(rod.from_height, size), rod.to_radius + edgeOf(rod.to_height, size));
+        std::max(rod.from_radius + edgeOf(rod.from_height, sharpest), rod.to_radius + edgeOf(rod.to_height, sharpest));
     const auto range = [&](double p, double q, double min, double step) {
       const int from = static_cast<int>(std::floor((std::min(p, q) - around - min) / step));
       const int to = static_cast<int>(std::ceil((std::max(p, q) + around - min) / step));
@@ -77,7 +86,7 @@ ShadowField shadowOf(std::span<const ShadowRod> rods, const Pose& X_WD, double s
         const double away = std::sqrt(std::pow(px - share * wx, 2) + std::pow(pz - share * wz, 2));
         const double radius = rod.from_radius + share * (rod.to_radius - rod.from_radius);
         const double height = rod.from_height + share * (rod.to_height - rod.from_height);
-        const double edge = edgeOf(height, size);
+        const double edge = edgeOf(height, sharpest);
         const double cover = std::min(1.0, 1.6 * radius / edge) / (1.0 + height / (kFading_m * size));
         const double dark = cover * smooth((radius + edge - away) / (2.0 * std::min(edge, radius + edge)));
         float& shade = field.shade[static_cast<std::size_t>(row * n + column)];
@@ -104,18 +113,45 @@ ShadowPicture::ShadowPicture()
   data_->SetPolys(cells_);
   data_->GetPointData()->SetScalars(colours_);
   actor_ = makeActor(data_, PieceKind::Line);  // unlit, and without depth
-  actor_->SetVisibility(false);
+  top_actor_ = makeActor(top_.data(), PieceKind::Line);
+  for (vtkActor* actor : actors()) actor->SetVisibility(false);
 }
 
 void ShadowPicture::setTheme(const Theme& theme) {
   theme_ = theme;
   colour();
+  buildTop();
 }
 
-void ShadowPicture::present(std::span<const ShadowRod> rods, const Pose& X_WD, double size) {
+void ShadowPicture::setLineWidth(double scale) {
+  top_actor_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale));
+}
+
+void ShadowPicture::buildTop() {
+  constexpr int kParts = 96;
+  const QColor top = paletteOf(theme_).color(QPalette::Window), rim = mixed(theme_.background, theme_.quiet, 0.75);
+  top_.clear();
+  std::vector<vtkIdType> corners;
+  std::vector<Vec3> round_mm;
+  for (int part = 0; part < kParts; ++part) {
+    const double angle_rad = 2.0 * kPi * part / kParts;
+    const Vec3 p_D = stand_.p_DTop + kTop_m * stand_.size * Vec3(std::sin(angle_rad), 0.0, std::cos(angle_rad));
+    round_mm.emplace_back(kMillimetrePerMetre * (X_WD_ * p_D));
+    corners.push_back(top_.corner(round_mm.back(), top));
+  }
+  top_.face(corners);
+  top_.chain(round_mm, rim, true);
+  top_.done();
+}
+
+void ShadowPicture::present(std::span<const ShadowRod> rods, const ArmStand& stand) {
   constexpr int n = ShadowField::kPoints;
-  X_WD_ = X_WD;
-  field_ = shadowOf(rods, X_WD, size);
+  const bool is_moved = stand.R_WD != stand_.R_WD || stand.p_WG != stand_.p_WG || stand.size != stand_.size;
+  stand_ = stand;
+  X_WD_.linear() = stand.R_WD;
+  X_WD_.translation() = stand.p_WG;
+  if (is_moved) buildTop();
+  field_ = shadowOf(rods, X_WD_, stand.size);
   if (field_.shade.empty()) return;
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
@@ -156,7 +192,8 @@ void ShadowPicture::colour() {
 
 void ShadowPicture::update(const OrbitCamera& camera) {
   const Vec3 from_desk_mm = camera.eye_mm() - kMillimetrePerMetre * X_WD_.translation();
-  actor_->SetVisibility(shown_ && !field_.shade.empty() && from_desk_mm.dot(X_WD_.linear().col(1)) > 0.0);
+  const bool is_seen = shown_ && !field_.shade.empty() && from_desk_mm.dot(X_WD_.linear().col(1)) > 0.0;
+  for (vtkActor* actor : actors()) actor->SetVisibility(is_seen);
 }
 
 }  // namespace underact::gui

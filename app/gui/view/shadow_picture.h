@@ -28,29 +28,33 @@ struct ShadowField {
 /// second picture of the scene.
 ShadowField shadowOf(std::span<const ShadowRod> rods, const Pose& X_WD, double size);
 
-/// The shadow of the arm on the desk.
+/// The desk that the arm stands on, a round top, and the arm's shadow on it.
 class ShadowPicture {
  public:
   ShadowPicture();
   void setTheme(const Theme& theme);
   void show(bool shown) { shown_ = shown; }
-  void present(std::span<const ShadowRod> rods, const Pose& X_WD, double size);
+  void setLineWidth(double device_pixels_per_pixel);
+  void present(std::span<const ShadowRod> rods, const ArmStand& stand);
   /// From below the desk there is none.
   void update(const OrbitCamera& camera);
-  vtkActor* actor() const { return actor_; }
+  std::vector<vtkActor*> actors() const { return {top_actor_, actor_}; }
 
  private:
   void colour();
+  void buildTop();
 
   Theme theme_ = Theme::light();
   bool shown_ = true;
+  ArmStand stand_;
   Pose X_WD_ = Pose::Identity();
+  Lines top_;
   ShadowField field_;
   vtkSmartPointer<vtkPolyData> data_;
   vtkSmartPointer<vtkPoints> points_;
   vtkSmartPointer<vtkCellArray> cells_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;
-  vtkSmartPointer<vtkActor> actor_;
+  vtkSmartPointer<vtkActor> actor_, top_actor_;
 };
 
 }  // namespace underact::gui

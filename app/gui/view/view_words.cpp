@@ -167,7 +167,9 @@ void ViewWords::paintGauge(QPainter& painter, const WordsState& state) {
   });
   const QPointF corner(std::round(state.size.width() - width - kWordsMargin),
                        std::round(state.size.height() - size.height() - kWordsMargin));
-  painter.fillRect(QRectF(corner, size).adjusted(-4, -2, 4, 2), state.theme.background);  // over the box's ticks
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(faint(state.theme.background, 0.85));  // over the box's ticks
+  painter.drawRoundedRect(QRectF(corner, size).adjusted(-6, -3, 6, 5), 6, 6);
   painter.drawImage(corner, image);
 }
 

@@ -4,6 +4,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include "app/gui/kit/message_label.h"
 #include "app/gui/kit/push_button.h"
@@ -44,9 +45,17 @@ TitleCard::TitleCard(QWidget* parent)
   grid->addWidget(try_, 2, 0);
   grid->addWidget(trouble_, 3, 0);
   grid->addWidget(leaving_, 4, 0, 1, 2);
-  grid->addWidget(start_, 0, 1, 2, 1);
-  grid->addWidget(next_, 2, 1, 2, 1);
+  auto* buttons = new QVBoxLayout;
+  buttons->addWidget(start_);
+  buttons->addStretch();
+  buttons->addWidget(next_);
+  grid->addLayout(buttons, 0, 1, 4, 1);
   grid->setColumnStretch(0, 1);
+  for (QWidget* passing : {static_cast<QWidget*>(leaving_), static_cast<QWidget*>(start_)}) {
+    QSizePolicy policy = passing->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);  // so that Next stays where a hand reaches for it
+    passing->setSizePolicy(policy);
+  }
   leaving_->setText(tr("For demonstrators: Ctrl+Alt+Shift+U opens a panel with Stop and Leave visitor mode."));
   leaving_->hide();
   for (QLabel* label : {title_, feel_, try_, trouble_, leaving_}) label->setTextInteractionFlags(Qt::NoTextInteraction);

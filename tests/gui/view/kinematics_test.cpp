@@ -284,6 +284,36 @@ TEST(KinematicsPicture, AChosenSolutionOfAnotherArmIsTheOneOfThatNumber) {
   EXPECT_FALSE(arm.view.chosenSolution_rad().has_value());
 }
 
+/// How many pixels a turn of the camera by a hundredth of a pixel changes clearly.
+int flickering(SceneView& view) {
+  Viewpoint viewpoint = view.viewpoint();
+  viewpoint.fits = false;
+  const QImage one = view.picture();
+  viewpoint.camera.azimuth_rad += 2e-5;
+  view.setViewpoint(viewpoint);
+  const QImage other = view.picture();
+  int count = 0;
+  for (int y = 0; y < one.height(); ++y) {
+    for (int x = 0; x < one.width(); ++x)
+      count += std::abs(qGray(one.pixel(x, y)) - qGray(other.pixel(x, y))) > 8 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(GhostArm, DoesNotFightForDepthWithTheArmAndTheOtherGhosts) {
+  for (const bool parallel : {false, true}) {
+    OtherArm arm("ur5e");
+    Layers layers = only(&Layers::ghosts);
+    arm.view.setLayers(layers);  // with the arm, of which each link stands where some ghost's does
+    arm.view.setParallel(parallel);
+    for (const int number : {1, 3, 6}) {
+      arm.view.chooseSolution(number);
+      ASSERT_TRUE(QTest::qWaitFor([&] { return !arm.view.solutionMoving() && !arm.view.moving(); }));
+      EXPECT_LT(flickering(arm.view), 40) << number << (parallel ? " parallel" : "");
+    }
+  }
+}
+
 TEST(GhostArm, LooksLikeTheSolidsOfItsFile) {
   arm::Model model = *arm::findModel("planar-3");
   GhostArm plain, solid;

@@ -60,6 +60,7 @@ struct RobotShown : Shown {
     Layers layers;
     layers.workspace = layers.triads = layers.arm = layers.target = layers.force = false;
     view.setLayers(layers);
+    wheel({400.0, 300.0}, -1);  // it turns out of the picture that it fills
   }
   int at(const Vec3& p_mm, double around = 3.0) {
     return count(view.picture(), view.screenOf(kMetrePerMillimetre * p_mm), around, isPurple);

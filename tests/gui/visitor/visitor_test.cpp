@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTest>
 
 #include "app/gui/visitor/shown_scenes.h"
 #include "app/gui/visitor/title_card.h"
@@ -45,6 +46,28 @@ TEST(TitleCard, WhatIsWrongStandsInPlaceOfWhatToTryAndStartOnlyWhereNothingPushe
   QSignalSpy next(&card, &TitleCard::nextAsked);
   card.findChild<QPushButton*>("visitor.next")->click();
   EXPECT_EQ(next.count(), 1);
+}
+
+TEST(TitleCard, NextStaysWhereItIsWhateverComesAndGoes) {
+  TitleCard card(nullptr);
+  card.setScene("Sphere", "A ball.", "Press it.");
+  card.fitInto(800);
+  card.resize(1280, card.height());
+  card.show();
+  const auto* const next = card.findChild<QPushButton*>("visitor.next");
+  const auto place = [&] {
+    QTest::qWait(20);
+    return next->geometry();
+  };
+  card.showWayOut(true);
+  const QRect at_first = place();
+  card.showWayOut(false);
+  EXPECT_EQ(place(), at_first);
+  card.setState(true, "The arm stopped answering.");
+  EXPECT_EQ(place(), at_first);
+  card.setState(true, {});
+  card.setScene("Sphere", "A ball.", QString("Press it, and press it again. ").repeated(3));
+  EXPECT_EQ(place(), at_first);
 }
 
 TEST(ShownScenes, OneThatCannotBeShownIsNamedAndTheOthersAreReadWithTheirWords) {
