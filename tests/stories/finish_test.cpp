@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <xcb/xcb.h>
 
 #include <QProcess>
 #include <QScreen>
 
 #include "tests/stories/story.h"
+#include "tests/stories/titles_on_screen.h"
 
 // What makes the window look finished, on the screen.
 namespace underact::gui::test {
@@ -25,28 +25,6 @@ double smoothShare(const QImage& picture) {
     }
   }
   return begins < 30 ? 0.0 : static_cast<double>(smooth) / begins;
-}
-
-/// The titles of all windows on the screen.
-QStringList titlesOnScreen() {
-  QStringList titles;
-  xcb_connection_t* const xcb = xcb_connect(nullptr, nullptr);
-  const auto kept = [](auto* reply) {
-    return std::unique_ptr<std::remove_pointer_t<decltype(reply)>, decltype(&free)>(reply, &free);
-  };
-  const auto name = kept(xcb_intern_atom_reply(xcb, xcb_intern_atom(xcb, 0, 12, "_NET_WM_NAME"), nullptr));
-  const auto tree = kept(
-      xcb_query_tree_reply(xcb, xcb_query_tree(xcb, xcb_setup_roots_iterator(xcb_get_setup(xcb)).data->root), nullptr));
-  for (int child = 0; child < xcb_query_tree_children_length(tree.get()); ++child) {
-    const auto value = kept(xcb_get_property_reply(
-        xcb, xcb_get_property(xcb, 0, xcb_query_tree_children(tree.get())[child], name->atom, XCB_ATOM_ANY, 0, 99),
-        nullptr));
-    if (value == nullptr || xcb_get_property_value_length(value.get()) == 0) continue;
-    titles << QString::fromUtf8(static_cast<const char*>(xcb_get_property_value(value.get())),
-                                xcb_get_property_value_length(value.get()));
-  }
-  xcb_disconnect(xcb);
-  return titles;
 }
 
 }  // namespace
@@ -73,7 +51,7 @@ TEST(FinishStory, TitlesHaveOneDashAndItIsNotAddedByQt) {
     QStringList titles;
     const bool is_told = QTest::qWaitFor(
         [&] {
-          return (titles = titlesOnScreen()).join(' ').contains("cene not") || titles.join(' ').contains("nicht");
+          return (titles = TitlesOnScreen::read()).join(' ').contains("cene not") || titles.join(' ').contains("nicht");
         },
         20000);
     EXPECT_TRUE(is_told) << titles.join("; ").toStdString();

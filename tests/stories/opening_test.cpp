@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <xcb/xcb.h>
 
 #include <QDropEvent>
 #include <QFileDialog>
@@ -11,6 +10,7 @@
 #include "core/arm/arm_text.h"
 #include "tests/stories/mesh_desk.h"
 #include "tests/stories/story.h"
+#include "tests/stories/titles_on_screen.h"
 
 namespace underact::gui::test {
 namespace {
@@ -83,29 +83,6 @@ void lookAside(Story& story) {
   aside.camera.focus_mm += Vec3(300.0, 0.0, 0.0);
   aside.fits = false;
   story.view().setViewpoint(aside);
-}
-
-/// Titles of all windows on the screen.
-void addTitles(xcb_connection_t* xcb, xcb_window_t of, QStringList& titles) {
-  const auto tree = std::unique_ptr<xcb_query_tree_reply_t, decltype(&std::free)>(
-      xcb_query_tree_reply(xcb, xcb_query_tree(xcb, of), nullptr), &std::free);
-  const auto title = std::unique_ptr<xcb_get_property_reply_t, decltype(&std::free)>(
-      xcb_get_property_reply(xcb, xcb_get_property(xcb, 0, of, XCB_ATOM_WM_NAME, XCB_ATOM_ANY, 0, 99), nullptr),
-      &std::free);
-  if (title && xcb_get_property_value_length(title.get()) > 0)
-    titles << QString::fromUtf8(static_cast<const char*>(xcb_get_property_value(title.get())),
-                                xcb_get_property_value_length(title.get()));
-  if (!tree) return;
-  const xcb_window_t* const children = xcb_query_tree_children(tree.get());
-  for (int child = 0; child < xcb_query_tree_children_length(tree.get()); ++child)
-    addTitles(xcb, children[child], titles);
-}
-QStringList titlesOnScreen() {
-  xcb_connection_t* const xcb = xcb_connect(nullptr, nullptr);
-  QStringList titles;
-  addTitles(xcb, xcb_setup_roots_iterator(xcb_get_setup(xcb)).data->root, titles);
-  xcb_disconnect(xcb);
-  return titles;
 }
 
 }  // namespace
@@ -207,8 +184,8 @@ TEST(OpeningStory, TheCommandLineOpensAFileOfEachKind) {
   for (const OfKind& one : ofEachKind()) {
     QProcess program;
     program.start(UNDERACT_WINDOW, {one.path});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !titlesOnScreen().filter(one.title).isEmpty(); }, 3 * kLong_ms))
-        << one.path.toStdString() << ": " << titlesOnScreen().join(", ").toStdString();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !TitlesOnScreen::read().filter(one.title).isEmpty(); }, 3 * kLong_ms))
+        << one.path.toStdString() << ": " << TitlesOnScreen::read().join(", ").toStdString();
     program.kill();
     program.waitForFinished();
   }

@@ -79,7 +79,7 @@ TEST(VisitorStory, ScenesComeInTurnByTimeAndByNext) {
   ASSERT_TRUE(desk.begin());
   EXPECT_EQ(desk.scene(), "Sphere");
   EXPECT_EQ(desk.label("visitor.title"), "Sphere");
-  EXPECT_TRUE(desk.label("visitor.feel").contains("on its surface"));
+  EXPECT_TRUE(desk.label("visitor.feel").contains("to its surface"));
   desk.run(89'000);
   EXPECT_EQ(desk.scene(), "Sphere");
   desk.run(1'500);

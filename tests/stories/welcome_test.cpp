@@ -144,6 +144,21 @@ TEST(WelcomeStory, ItStandsWhereTheStylusIsNotWhereverThatIsTaken) {
   }
 }
 
+TEST(WelcomeStory, OnALowScreenItHasTheNextThingAloneAndKeepsClearOfTheStylus) {
+  FirstStart first;
+  Story& story = *first.story;
+  story.window().resize(960, 500);  // as 1080p leaves it at 200 %
+  story.run(1500);
+  ASSERT_TRUE(first.card()->isVisible());
+  EXPECT_FALSE(first.coversTheStylus());
+  EXPECT_TRUE(story.view().rect().contains(first.card()->geometry()));
+  EXPECT_TRUE(story.find("welcome.push")->isVisible());
+  EXPECT_FALSE(story.find("welcome.slider")->isVisible());
+  story.window().resize(1280, 800);
+  story.run(1500);
+  EXPECT_TRUE(story.find("welcome.slider")->isVisible());
+}
+
 TEST(WelcomeStory, ItSaysWhatThereIsToFeelInEachScene) {
   FirstStart first;
   Story& story = *first.story;

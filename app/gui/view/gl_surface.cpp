@@ -275,6 +275,7 @@ void GlSurface::drawInMemory(bool fine) {
     QPainter painter(&my.image);
     words_(painter);
   }
+  if (fine) my.rows = QImage();  // four times as large as the next frame's
   my.is_stale = false;
   countErrors(my.context);
 }

@@ -31,6 +31,7 @@ constexpr double kPush_N = 0.05;  // five times the last digit of the force show
 constexpr double kTurn_rad = 15.0 * kRadPerDegree;
 constexpr int kConfirmed_s = 4;
 constexpr int kSettles_ticks = 1000;
+constexpr int kRoomy_lines = 34;  // of the view, from which on all of the card has room beside the stylus
 constexpr int kMargin_px = 16, kAway_px = 12, kTriad_px = 88;  // the view's triad is at the bottom left
 
 struct PushRow {
@@ -78,6 +79,7 @@ Welcome::Welcome(const FeatureParts& parts)
       servo_(parts.servo),
       spotlight_(new Spotlight("welcome.frame", parts.window)),
       title_(sectionTitle({}, this)),
+      purpose_(new QWidget(this)),
       confirmed_(messageLabel("welcome.confirmed", tr("What you just did"), "", this)),
       live_(messageLabel("welcome.live", tr("Force now"), "quiet", this)),
       was_seen_(parts.settings.has_pushed),
@@ -112,19 +114,23 @@ void Welcome::build(Actions& actions) {
   }
   column->addWidget(confirmed_);
   column->addWidget(live_);
-  column->addWidget(messageLabel("welcome.ask", tr("What do you want to do?"), "", this));
-  findChild<QLabel*>("welcome.ask")->setText(tr("What do you want to do? You can change it at the top right."));
+  column->addWidget(purpose_);
+  auto* const asked = new QVBoxLayout(purpose_);
+  asked->setContentsMargins({});
+  asked->addWidget(messageLabel("welcome.ask", tr("What do you want to do?"), "", purpose_));
+  purpose_->findChild<QLabel*>("welcome.ask")
+      ->setText(tr("What do you want to do? You can change it at the top right."));
   auto* const purposes = new QHBoxLayout;
   for (const QString& name : actions.names()) {
     if (!name.startsWith("purpose.")) continue;
-    auto* const choice = new QToolButton(this);
+    auto* const choice = new QToolButton(purpose_);
     choice->setDefaultAction(actions.find(name));
     nameWidget(choice, "welcome." + name, actions.find(name)->text());
     choice->setFocusPolicy(Qt::StrongFocus);
     purposes->addWidget(choice);
   }
   purposes->addStretch();
-  column->addLayout(purposes);
+  asked->addLayout(purposes);
   auto* tour = pushButton("welcome.tour", tr("Tour of the window"), tr("A tour of the window in eight stops."), this);
   auto* leave =
       pushButton("welcome.close", tr("Close"), tr("Closes this card. You find it again in the Help menu."), this);
@@ -169,7 +175,10 @@ void Welcome::tell() {
     QFont font = this->font();
     font.setBold(static_cast<Thing>(thing) == next());
     rows_[thing]->setFont(font);
+    rows_[thing]->setVisible(!is_folded_ || static_cast<Thing>(thing) == next());
   }
+  purpose_->setVisible(!is_folded_);
+  live_->setVisible(!is_folded_);
   title_->setText(tr("Three things to try: %1 of 3 done").arg(std::count(is_done_.begin(), is_done_.end(), true)));
   confirmed_->setVisible(!confirmed_->text().isEmpty());
 }
@@ -237,7 +246,7 @@ void Welcome::present(const servo::Snapshot& snapshot) {
   if (shows != is_shown_) {
     is_shown_ = shows;
     setVisible(shows);
-    view_.setTaken(shows ? kMargin_px + heightForWidth(width()) + kAway_px : 0);  // the arm stands below the card
+    makeRoom();
     if (shows) {
       spotlight_->pointAt([this] { return nextPlace(); });
     } else {
@@ -245,9 +254,20 @@ void Welcome::present(const servo::Snapshot& snapshot) {
     }
   }
   if (!shows) return;
+  if (const bool folds = view_.height() < kRoomy_lines * fontMetrics().lineSpacing(); folds != is_folded_) {
+    is_folded_ = folds;
+    tell();
+    makeRoom();
+  }
   if (snapshot.ticks < kSettles_ticks) move(0, 0);  // the view has not found its place yet: neither has the card
   place();
   spotlight_->follow();
+}
+
+// The arm stands below the card.
+void Welcome::makeRoom() {
+  layout()->activate();
+  view_.setTaken(is_shown_ ? kMargin_px + heightForWidth(width()) + kAway_px : 0);
 }
 
 // It moves only to make way for the stylus or to fit a smaller window.

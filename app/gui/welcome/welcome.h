@@ -17,7 +17,7 @@ class Spotlight;
 
 /// The first minute: a card over the view with three things to try. Each is ticked off when done, and the next one is
 /// framed; when all are done, the card disappears a little later and comes back only on request. It keeps clear of the
-/// stylus.
+/// stylus; in a low view it has the next thing alone.
 class Welcome : public QFrame, public ServoListener {
   Q_OBJECT
  public:
@@ -36,6 +36,7 @@ class Welcome : public QFrame, public ServoListener {
   void done(Thing thing, const QString& sentence);
   void watch(const servo::Snapshot& snapshot);
   void tellForce(const tick::TickReport& report);
+  void makeRoom();
   void place();
   Thing next() const;
   QRect nextPlace() const;
@@ -49,9 +50,12 @@ class Welcome : public QFrame, public ServoListener {
   Spotlight* spotlight_;
   std::array<QLabel*, kThings> rows_{};
   std::array<bool, kThings> is_done_{};
-  QLabel *title_, *confirmed_, *live_;
+  QLabel* title_;
+  QWidget* purpose_;
+  QLabel *confirmed_, *live_;
   bool was_seen_, is_asked_, is_shown_ = false;
-  bool edited_ = false;  // since the card was shown
+  bool is_folded_ = false;  // to the next thing alone, in a low view
+  bool edited_ = false;     // since the card was shown
   std::optional<arm::JointAngles> began_rad_;
   std::int64_t leaves_at_tick_ = -1;
 };

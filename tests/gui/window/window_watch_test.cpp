@@ -103,8 +103,8 @@ TEST(WindowWatch, EscInAnotherProgramIsNoneOfOurs) {
 }
 
 TEST(WindowWatch, AWindowThatStandsStillWhileItPushesEndsTheForceAndSaysSoAfterwards) {
-  Watched watched(false, 0.1);
-  QThread::msleep(500);
+  Watched watched(false, 0.4);
+  QThread::msleep(1500);
   watched.desk.run(1);
   EXPECT_EQ(watched.desk.host().snapshot().mode, servo::Mode::Faulted);
   EXPECT_EQ(watched.desk.host().snapshot().report.fault.kind, FaultKind::WindowBusy);
