@@ -5,6 +5,7 @@
 
 #include "app/gui/feature/panel.h"
 #include "app/gui/lessons/lesson_window_state.h"
+#include "core/lesson/report.h"
 
 class QMenu;
 class QStackedWidget;

@@ -105,7 +105,7 @@ Finishes armFinishes(const Theme& theme) {
   const auto ink = [&](double share) { return mixed(theme.background, theme.ink, share); };
   // Two materials: the housings' plastic and the links' metal. As far from each other as both are seen on the desk.
   if (theme.dark) return {ink(0.56), ink(0.5), ink(0.9), theme.ink};
-  return {ink(0.64), ink(0.86), ink(0.48), theme.ink};
+  return {ink(0.74), ink(0.9), ink(0.48), theme.ink};
 }
 
 ArmPicture::ArmPicture() : outline_actor_(makeActor(outlines_.data(), PieceKind::Line)) {
