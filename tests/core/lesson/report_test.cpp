@@ -49,7 +49,9 @@ TEST(Misconceptions, AreNamedByTheWrongAnswersThatShowThem) {
   EXPECT_EQ(nameOf(175), "Factor 2");
   EXPECT_EQ(nameOf(0), "") << "near, but not by a share of the number";
   EXPECT_EQ(nameOf(90), "");
-  const Step step{.title = "S", .checks = {check}};
+  Step step;
+  step.title = "S";
+  step.checks = {check};
   CheckState state;
   for (const double answer : {90.0, 176.0, 176.0, 88.0}) state = afterAnswer(check, std::move(state), answer);
   const StepReport report = reportOf(step, true, {state});
